@@ -1,0 +1,1 @@
+"""The science of tetratrack: arrays in, typed results out; no QGIS, no printing, no global state."""

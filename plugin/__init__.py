@@ -1,0 +1,1 @@
+"""What lives inside the QGIS window: provider, review dock, styles, dependency check."""

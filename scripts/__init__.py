@@ -1,0 +1,1 @@
+"""Console command and batch runs."""
