@@ -1,0 +1,246 @@
+"""Layers and fields of the result GeoPackage: the one description that writers, styles, tables and documentation share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+FieldType = Literal["text", "integer", "real", "boolean", "datetime"]
+Geometry = Literal["PointZ", "LineStringZ", "none"]
+
+FORMAT_VERSION = 1
+"""Version of the result's layout; raised when a field's name or meaning changes."""
+
+FEATURES = ("centre", "f123", "f124", "f134", "f234")
+"""Feature points of a unit, in the order used everywhere (paper 2.4)."""
+
+STATUSES = ("found", "uncertain", "new", "relocated", "lost", "unseen")
+"""Values of ``units.status``; rows with ``lost`` and ``unseen`` have no geometry."""
+
+CLASSES = ("stable", "moved", "rotated", "lost", "new", "relocated", "uncertain")
+"""Values of ``displacements.class``."""
+
+DATUMS = ("stable", "control")
+"""Values of ``displacements.datum``."""
+
+
+@dataclass(frozen=True)
+class Field:
+    """One column of a layer.
+
+    Attributes
+    ----------
+    name, type
+        Column name and logical type; ``datetime`` is UTC.
+    description
+        What the value means.
+    unit
+        Unit of measurement, empty where the value has none.
+    """
+
+    name: str
+    type: FieldType
+    description: str
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Layer:
+    """One layer or attribute table of the result."""
+
+    name: str
+    geometry: Geometry
+    description: str
+    fields: tuple[Field, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Column names in the order written."""
+        return tuple(field.name for field in self.fields)
+
+
+_UNIT_ID = Field("unit_id", "text", "name of the physical unit, the same in all epochs")
+_EPOCH = Field("epoch", "text", "label of the epoch in survey.toml")
+_EPOCH_TIME = Field("epoch_time", "datetime", "time of the epoch", "UTC")
+_POINT_ID = Field("point_id", "text", "name of the surveyed point")
+
+
+def _sd(of: str) -> tuple[Field, Field, Field]:
+    return (
+        Field("sd_e", "real", f"standard deviation of {of}, easting", "m"),
+        Field("sd_n", "real", f"standard deviation of {of}, northing", "m"),
+        Field("sd_h", "real", f"standard deviation of {of}, height", "m"),
+    )
+
+
+_DISPLACEMENT_FIELDS = (
+    _UNIT_ID,
+    Field("feature", "text", "feature point: centre, f123, f124, f134 or f234"),
+    Field("epoch_from", "text", "label of the earlier epoch"),
+    Field("epoch_to", "text", "label of the later epoch"),
+    Field("time_from", "datetime", "time of the earlier epoch", "UTC"),
+    Field("time_to", "datetime", "time of the later epoch", "UTC"),
+    Field("de", "real", "displacement, easting", "m"),
+    Field("dn", "real", "displacement, northing", "m"),
+    Field("dh", "real", "displacement, height, positive up", "m"),
+    Field("d_horizontal", "real", "length of the horizontal displacement", "m"),
+    Field("d_3d", "real", "length of the displacement", "m"),
+    Field("azimuth_deg", "real", "direction of the horizontal displacement, from grid north clockwise", "degrees"),
+    *_sd("the displacement"),
+    Field("rotation_deg", "real", "angle of the unit's rotation between the epochs", "degrees"),
+    Field("sd_rotation_deg", "real", "standard deviation of the rotation angle", "degrees"),
+    Field("datum", "text", "frame of the displacement: stable (control and stable units) or control (control points alone)"),
+    Field("statistic", "real", "test statistic of the displacement against zero"),
+    Field("p_value", "real", "probability of a statistic at least as large if the unit did not move"),
+    Field("significant", "boolean", "the displacement is significant at the level of the run"),
+    Field("class", "text", "stable, moved, rotated, lost, new, relocated or uncertain"),
+)
+
+LAYERS: dict[str, Layer] = {
+    layer.name: layer
+    for layer in (
+        Layer(
+            "units",
+            "PointZ",
+            "Units at their cones' common centre, one row per unit and epoch",
+            (
+                _UNIT_ID,
+                _EPOCH,
+                _EPOCH_TIME,
+                Field("unit_type", "text", "type of the unit in survey.toml"),
+                Field("height", "real", "nominal height H of the unit", "m"),
+                Field("r0", "real", "radius of the leg cone at the unit's centre", "m"),
+                Field("gradient", "real", "loss of cone radius per metre along the leg's axis"),
+                Field("qx", "real", "rotation body to CRS axes, quaternion x"),
+                Field("qy", "real", "rotation body to CRS axes, quaternion y"),
+                Field("qz", "real", "rotation body to CRS axes, quaternion z"),
+                Field("qw", "real", "rotation body to CRS axes, quaternion w (scalar part)"),
+                *_sd("the centre"),
+                Field(
+                    "sd_rotation_deg", "real", "standard deviation of the rotation, root of the summed variances of three axes", "degrees"
+                ),
+                Field(
+                    "covariance",
+                    "text",
+                    "JSON list, upper triangle by rows of the 8 x 8 covariance of e, n, h, w_e, w_n, w_h, r0, gradient (m, rad)",
+                ),
+                Field("sigma0", "real", "standard deviation of unit weight of the adjustment"),
+                Field("n_points", "integer", "points used by the adjustment"),
+                Field("legs_visible", "integer", "legs that hold enough points to be seen"),
+                Field("coverage", "real", "share of the unit's surface that holds points, 0 to 1"),
+                Field("score", "real", "share of the predicted visible surface that is supported by points, 0 to 1"),
+                Field("status", "text", "found, uncertain, new, relocated, lost or unseen"),
+            ),
+        ),
+        Layer(
+            "feature_points",
+            "PointZ",
+            "Feature points: the centre and the joints of three cones, one row per unit, epoch and feature",
+            (
+                _UNIT_ID,
+                _EPOCH,
+                _EPOCH_TIME,
+                Field("feature", "text", "centre, f123, f124, f134 or f234"),
+                Field("observed", "boolean", "points lie next to the feature point; otherwise it follows from the rest of the unit"),
+                *_sd("the feature point"),
+                Field("cov_en", "real", "covariance of easting and northing", "m2"),
+                Field("cov_eh", "real", "covariance of easting and height", "m2"),
+                Field("cov_nh", "real", "covariance of northing and height", "m2"),
+            ),
+        ),
+        Layer(
+            "displacements",
+            "LineStringZ",
+            "Displacements of feature points between consecutive epochs in the default datum, from the earlier to the later point",
+            _DISPLACEMENT_FIELDS,
+        ),
+        Layer(
+            "displacements_other",
+            "LineStringZ",
+            "Displacements of other epoch pairs and in the other datum",
+            _DISPLACEMENT_FIELDS,
+        ),
+        Layer(
+            "control_residuals",
+            "PointZ",
+            "Residuals of the registration at the control points, one row per control point and epoch",
+            (
+                _POINT_ID,
+                _EPOCH,
+                Field("ve", "real", "residual, easting", "m"),
+                Field("vn", "real", "residual, northing", "m"),
+                Field("vh", "real", "residual, height", "m"),
+                Field("w_max", "real", "largest normalised residual of the three coordinates"),
+                Field("used", "boolean", "the point took part in the transformation"),
+                Field("outlier", "boolean", "the point was found to be disturbed"),
+            ),
+        ),
+        Layer(
+            "check_residuals",
+            "PointZ",
+            "Feature points less their surveyed check coordinates, one row per check point and epoch",
+            (
+                _POINT_ID,
+                _EPOCH,
+                _UNIT_ID,
+                Field("feature", "text", "feature point the check point was matched with"),
+                Field("de", "real", "feature point less check point, easting", "m"),
+                Field("dn", "real", "feature point less check point, northing", "m"),
+                Field("dh", "real", "feature point less check point, height", "m"),
+                Field("d_3d", "real", "length of the difference", "m"),
+            ),
+        ),
+        Layer(
+            "epochs",
+            "none",
+            "Epochs and how they were computed, one row per epoch",
+            (
+                Field("label", "text", "label of the epoch in survey.toml"),
+                Field("time", "datetime", "time of the epoch", "UTC"),
+                Field("tiles", "text", "JSON list of the tiles' names"),
+                Field("points", "integer", "points read"),
+                Field("transformation", "text", "JSON: seven parameters cloud to control frame, their covariance and reduction points"),
+                Field("sigma0", "real", "standard deviation of unit weight of the registration"),
+                Field("software", "text", "name and version of the software"),
+                Field("settings", "text", "JSON: settings, checksums of all inputs, versions and seed"),
+            ),
+        ),
+        Layer(
+            "reviews",
+            "none",
+            "Decisions of a reviewer, one row per unit and epoch pair",
+            (
+                _UNIT_ID,
+                Field("epoch_from", "text", "label of the earlier epoch"),
+                Field("epoch_to", "text", "label of the later epoch"),
+                Field("decision", "text", "accepted, rejected or unsure"),
+                Field("comment", "text", "reviewer's remark"),
+                Field("reviewer", "text", "name of the reviewer"),
+                Field("reviewed_at", "datetime", "time of the decision", "UTC"),
+            ),
+        ),
+    )
+}
+
+
+def markdown(layers: Iterable[Layer] = LAYERS.values()) -> str:
+    """Tables of all layers and fields for the documentation."""
+    blocks = []
+    for layer in layers:
+        geometry = "table without geometry" if layer.geometry == "none" else layer.geometry
+        rows = [f"| `{f.name}` | {f.type} | {f.unit} | {f.description} |" for f in layer.fields]
+        blocks.append(
+            "\n".join(
+                [
+                    f"### `{layer.name}` ({geometry})",
+                    "",
+                    f"{layer.description}.",
+                    "",
+                    "| field | type | unit | meaning |",
+                    "| --- | --- | --- | --- |",
+                    *rows,
+                ]
+            )
+        )
+    return "\n\n".join(blocks) + "\n"

@@ -1,0 +1,54 @@
+"""What all tests share: the package under its name whatever the checkout's folder is called, and the optional sample surveys."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+def _import_package() -> None:
+    """Load this checkout as ``tetratrack`` where it is not installed (QGIS's own Python)."""
+    if importlib.util.find_spec("tetratrack") is not None:
+        return
+    spec = importlib.util.spec_from_file_location("tetratrack", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)])
+    if spec is None or spec.loader is None:
+        raise ImportError(f"{ROOT} is not a checkout of tetratrack")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["tetratrack"] = module
+    spec.loader.exec_module(module)
+
+
+_import_package()
+
+SHARED = Path(os.environ.get("TETRATRACK_SHARED", ROOT.parent / "shared"))
+
+collect_ignore = [] if importlib.util.find_spec("qgis") else ["qgis"]
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Skip what needs absent data; leave slow tests out unless -m names them."""
+    no_data = pytest.mark.skip(reason=f"no sample surveys at {SHARED / 'data'}")
+    too_slow = pytest.mark.skip(reason="slow; run with -m slow")
+    for item in items:
+        if "shared_data" in item.keywords and not (SHARED / "data").is_dir():
+            item.add_marker(no_data)
+        if "slow" in item.keywords and "slow" not in (config.option.markexpr or ""):
+            item.add_marker(too_slow)
+
+
+@pytest.fixture(scope="session")
+def shared_data() -> Path:
+    """Folder of the sample surveys with ground truth; tests that use it carry the mark ``shared_data``."""
+    return SHARED / "data"
+
+
+@pytest.fixture(scope="session")
+def repository() -> Path:
+    """Root of the checkout."""
+    return ROOT
