@@ -214,10 +214,12 @@ LAYERS: dict[str, Layer] = {
                 _UNIT_ID,
                 Field("epoch_from", "text", "label of the earlier epoch"),
                 Field("epoch_to", "text", "label of the later epoch"),
-                Field("decision", "text", "accepted, rejected or unsure"),
+                Field("decision", "text", "accepted, rejected or inspect (on site)"),
                 Field("comment", "text", "reviewer's remark"),
                 Field("reviewer", "text", "name of the reviewer"),
                 Field("reviewed_at", "datetime", "time of the decision", "UTC"),
+                Field("confirmed_by", "text", "name of a second reviewer who confirmed the decision"),
+                Field("confirmed_at", "datetime", "time of the confirmation", "UTC"),
             ),
         ),
     )
