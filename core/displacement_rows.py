@@ -1,0 +1,332 @@
+"""What a result says about each unit in one epoch pair and datum, as the review dock, the report and the alarm list see it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import InputError
+from .outline import LEG_LENGTH_RATIO, TETRAHEDRAL_LEGS, PlacedShape, rotation_of_quaternion
+from .result_tables import EpochPair, Row, connect, parse_settings, parse_time, query, read_layer_rows, table_names
+
+FloatArray = NDArray[np.float64]
+
+CHI2_3_95 = 7.814727903
+"""95 % quantile of chi-square with three degrees of freedom."""
+Z_95 = 1.959963985
+"""Half width of a two-sided 95 % band in standard deviations."""
+
+
+@dataclass(frozen=True, eq=False)
+class UnitRow:
+    """One unit in one epoch pair; measures are None where one end does not exist (lost, unseen, new).
+
+    Attributes
+    ----------
+    kind
+        ``displacements.class``, or ``units.status`` of the later epoch where there is no displacement.
+    place
+        (3,) centre in the earlier epoch, or the later where it is new; None when neither is known.
+    vector, sd
+        (3,) displacement de, dn, dh and its standard deviations, metres.
+    d_3d, d_horizontal
+        Lengths in metres.
+    rotation_deg, sd_rotation_deg
+        Rotation between the epochs, degrees.
+    p_value, significant
+        Test of the displacement against zero.
+    coverage
+        Share of the surface that holds points, the smaller of the two epochs.
+    height
+        Nominal height H, metres.
+    """
+
+    unit_id: str
+    kind: str
+    place: FloatArray | None
+    vector: FloatArray | None
+    sd: FloatArray | None
+    d_3d: float | None
+    d_horizontal: float | None
+    rotation_deg: float | None
+    sd_rotation_deg: float | None
+    p_value: float | None
+    significant: bool
+    coverage: float | None
+    height: float | None
+
+    @property
+    def vertical(self) -> float | None:
+        """Vertical displacement in metres, positive up."""
+        return None if self.vector is None else float(self.vector[2])
+
+    @property
+    def sd_3d(self) -> float | None:
+        """Standard deviation of the displacement's length, metres."""
+        return None if self.vector is None or self.sd is None else sd_of_length(self.vector, self.sd)
+
+    @property
+    def detection_limit(self) -> float | None:
+        """Displacement in metres that the 95 % test calls significant whatever its direction."""
+        return None if self.sd is None else float(math.sqrt(CHI2_3_95) * np.max(self.sd))
+
+
+@dataclass(frozen=True, eq=False)
+class SeriesPoint:
+    """Displacement of one feature since the first epoch: length, its standard deviation and vector, metres."""
+
+    epoch: str
+    time: datetime | None
+    d_3d: float
+    sd: float
+    vector: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class CheckComparison:
+    """Displacement of a surveyed check point beside that of its feature, metres."""
+
+    point_id: str
+    feature: str
+    measured: float
+    fitted: float
+    difference: float
+
+
+@dataclass(frozen=True, eq=False)
+class UnitDetails:
+    """Everything the file holds on one unit.
+
+    Attributes
+    ----------
+    shapes
+        Fitted outline per epoch label, in the control frame.
+    features
+        Feature points per epoch label: name to (position, standard deviations, observed).
+    rows
+        Rows of ``units`` per epoch label.
+    checks
+        Rows of ``check_residuals``.
+    """
+
+    unit_id: str
+    shapes: dict[str, PlacedShape]
+    features: dict[str, dict[str, tuple[FloatArray, FloatArray, bool]]]
+    rows: dict[str, Row]
+    displacements: tuple[Row, ...]
+    checks: tuple[Row, ...]
+
+
+@dataclass(frozen=True)
+class EpochInfo:
+    """One row of ``epochs``."""
+
+    label: str
+    time: datetime | None
+    points: int | None
+    sigma0: float | None
+    software: str
+    settings: dict[str, Any]
+    transformation: dict[str, Any]
+    tiles: str
+
+
+def sd_of_length(vector: FloatArray, sd: FloatArray) -> float:
+    """Standard deviation of the length of a vector with independent components; of the largest component for a zero vector."""
+    length = float(np.linalg.norm(vector))
+    if length == 0:
+        return float(np.max(sd))
+    return float(np.linalg.norm(vector / length * sd))
+
+
+def read_epochs(path: Path) -> tuple[EpochInfo, ...]:
+    """Epochs in the order of time."""
+    rows = read_layer_rows(path, "epochs")
+    infos = [
+        EpochInfo(
+            str(row["label"]),
+            parse_time(row["time"]),
+            row.get("points"),
+            row.get("sigma0"),
+            str(row.get("software") or ""),
+            parse_settings(row.get("settings")),
+            parse_settings(row.get("transformation")),
+            str(row.get("tiles") or ""),
+        )
+        for row in rows
+    ]
+    return tuple(sorted(infos, key=lambda info: (info.time is None, info.time.timestamp() if info.time else 0.0)))
+
+
+def datums(path: Path, pair: EpochPair) -> tuple[str, ...]:
+    """Datums in which a pair has displacements; ``stable`` first."""
+    with closing(connect(path)) as connection:
+        statement = "SELECT DISTINCT datum FROM displacements WHERE epoch_from = ? AND epoch_to = ?"
+        found = {row["datum"] for row in connection.execute(statement, (pair.epoch_from, pair.epoch_to))}
+        if _has_other(path):
+            statement = "SELECT DISTINCT datum FROM displacements_other WHERE epoch_from = ? AND epoch_to = ?"
+            found |= {row["datum"] for row in connection.execute(statement, (pair.epoch_from, pair.epoch_to))}
+    return tuple(sorted((str(d) for d in found if d), key=lambda d: (d != "stable", d)))
+
+
+def read_unit_rows(path: Path, pair: EpochPair, datum: str) -> list[UnitRow]:
+    """All units of an epoch pair, those without a displacement (lost, unseen, new, uncertain) included, by unit_id.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, or has no such epochs.
+    """
+    statement = "SELECT * FROM displacements WHERE feature = 'centre' AND epoch_from = ? AND epoch_to = ? AND datum = ?"
+    key = (pair.epoch_from, pair.epoch_to, datum)
+    with closing(connect(path)) as connection:
+        moved = query(connection, statement, key)
+        if not moved and _has_other(path):
+            moved = query(connection, statement.replace("displacements", "displacements_other", 1), key)
+        early = {row["unit_id"]: row for row in query(connection, "SELECT * FROM units WHERE epoch = ?", (pair.epoch_from,))}
+        late = {row["unit_id"]: row for row in query(connection, "SELECT * FROM units WHERE epoch = ?", (pair.epoch_to,))}
+    if not early and not late:
+        raise InputError(f"has no epochs {pair}", source=path, remedy="Choose an epoch pair the result holds.")
+    by_unit = {row["unit_id"]: row for row in moved}
+    return [_unit_row(unit, by_unit.get(unit), early.get(unit), late.get(unit)) for unit in sorted(early.keys() | late.keys())]
+
+
+def read_details(path: Path, unit_id: str, leg_length: float | None = None) -> UnitDetails:
+    """Poses, features, displacements and check points of one unit in all epochs.
+
+    ``leg_length`` (m) is the centre to end disc distance of the survey's unit type; the standard proportion of H by default.
+    """
+    with closing(connect(path)) as connection:
+        units = query(connection, "SELECT * FROM units WHERE unit_id = ?", (unit_id,))
+        points = query(connection, "SELECT * FROM feature_points WHERE unit_id = ?", (unit_id,))
+        displacements = query(connection, "SELECT * FROM displacements WHERE unit_id = ?", (unit_id,))
+        names = table_names(path)
+        if "displacements_other" in names:
+            displacements += query(connection, "SELECT * FROM displacements_other WHERE unit_id = ?", (unit_id,))
+        checks = query(connection, "SELECT * FROM check_residuals WHERE unit_id = ?", (unit_id,)) if "check_residuals" in names else []
+    features: dict[str, dict[str, tuple[FloatArray, FloatArray, bool]]] = {}
+    for row in points:
+        if row["geom"] is not None:
+            sd = np.array([row["sd_e"], row["sd_n"], row["sd_h"]], dtype=np.float64)
+            features.setdefault(row["epoch"], {})[row["feature"]] = (row["geom"], sd, bool(row["observed"]))
+    shapes = {row["epoch"]: shape for row in units if (shape := shape_of(row, leg_length)) is not None}
+    return UnitDetails(unit_id, shapes, features, {row["epoch"]: row for row in units}, tuple(displacements), tuple(checks))
+
+
+def shape_of(row: Row, leg_length: float | None = None) -> PlacedShape | None:
+    """Outline of a row of ``units``; None where it has no geometry or no pose."""
+    if row["geom"] is None or row["qw"] is None:
+        return None
+    rotation = rotation_of_quaternion([row["qx"], row["qy"], row["qz"], row["qw"]])
+    length = LEG_LENGTH_RATIO * row["height"] if leg_length is None else leg_length
+    return PlacedShape(row["geom"], rotation, float(row["r0"]), float(row["gradient"]), float(length), TETRAHEDRAL_LEGS)
+
+
+def series(details: UnitDetails, epochs: Sequence[EpochInfo], datum: str, feature: str = "centre") -> list[SeriesPoint]:
+    """Displacement of a feature since the unit's first epoch.
+
+    Displacements straight from the first epoch are used where the result has them, otherwise those of consecutive epochs are
+    added (and their variances with them).
+    """
+    rows = [row for row in details.displacements if row["feature"] == feature and row["datum"] == datum]
+    by_pair = {(row["epoch_from"], row["epoch_to"]): row for row in rows}
+    seen = [epoch for epoch in epochs if epoch.label in details.shapes]
+    if not seen:
+        return []
+    first = seen[0]
+    points = [SeriesPoint(first.label, first.time, 0.0, 0.0, np.zeros(3))]
+    sum_vector, sum_variance = np.zeros(3), np.zeros(3)
+    for before, epoch in zip(seen, seen[1:]):
+        step = by_pair.get((before.label, epoch.label))
+        if step is not None:
+            sum_vector = sum_vector + _vector(step)
+            sum_variance = sum_variance + _sd(step) ** 2
+        direct = by_pair.get((first.label, epoch.label))
+        if direct is not None:
+            vector, sd = _vector(direct), _sd(direct)
+        elif step is not None:
+            vector, sd = sum_vector, np.sqrt(sum_variance)
+        else:
+            continue
+        points.append(SeriesPoint(epoch.label, epoch.time, float(np.linalg.norm(vector)), sd_of_length(vector, sd), vector))
+    return points
+
+
+def check_comparisons(details: UnitDetails, pair: EpochPair) -> list[CheckComparison]:
+    """Surveyed check points of the unit that both epochs of a pair have, beside the fit, in the control frame.
+
+    A residual is feature less check point, so the surveyed displacement is the feature's less the change of its residual.
+    """
+    residuals = {(row["point_id"], row["epoch"]): row for row in details.checks}
+    found = []
+    for (point, epoch), row in sorted(residuals.items()):
+        late = residuals.get((point, pair.epoch_to))
+        if epoch != pair.epoch_from or late is None or late["feature"] != row["feature"]:
+            continue
+        start = details.features.get(pair.epoch_from, {}).get(row["feature"])
+        stop = details.features.get(pair.epoch_to, {}).get(row["feature"])
+        if start is None or stop is None:
+            continue
+        fitted = stop[0] - start[0]
+        surveyed = fitted - (_vector(late) - _vector(row))
+        lengths = float(np.linalg.norm(surveyed)), float(np.linalg.norm(fitted))
+        found.append(CheckComparison(str(point), str(row["feature"]), *lengths, float(lengths[1] - lengths[0])))
+    return found
+
+
+def over(rows: Sequence[UnitRow], threshold: float, excluded: frozenset[str] = frozenset()) -> list[UnitRow]:
+    """Units displaced by more than a threshold in metres, or lost or relocated, largest first; rejected ones left out."""
+    chosen = [row for row in rows if row.unit_id not in excluded and (_exceeds(row, threshold) or row.kind in ("lost", "relocated"))]
+    return sorted(chosen, key=lambda row: (-math.inf if row.d_3d is None else -row.d_3d, row.unit_id))
+
+
+def _exceeds(row: UnitRow, threshold: float) -> bool:
+    return row.d_3d is not None and row.d_3d > threshold
+
+
+def _unit_row(unit: str, moved: Row | None, early: Row | None, late: Row | None) -> UnitRow:
+    ends = [row for row in (early, late) if row is not None]
+    place = next((row["geom"] for row in ends if row["geom"] is not None), None)
+    coverage = [row["coverage"] for row in ends if row["coverage"] is not None]
+    height = next((row["height"] for row in ends if row["height"] is not None), None)
+    least = min(coverage) if coverage else None
+    if moved is None:
+        status = late["status"] if late is not None else "unseen"
+        # found in one epoch only and no displacement: nothing can be said of its motion
+        kind = "uncertain" if status == "found" else str(status)
+        return UnitRow(unit, kind, place, None, None, None, None, None, None, None, False, least, height)
+    return UnitRow(
+        unit,
+        str(moved["class"] or "uncertain"),
+        moved["geom"][0] if moved["geom"] is not None else place,
+        _vector(moved),
+        _sd(moved),
+        moved["d_3d"],
+        moved["d_horizontal"],
+        moved["rotation_deg"],
+        moved["sd_rotation_deg"],
+        moved["p_value"],
+        bool(moved["significant"]),
+        least,
+        height,
+    )
+
+
+def _vector(row: Row) -> FloatArray:
+    return np.array([row["de"], row["dn"], row["dh"]], dtype=np.float64)
+
+
+def _sd(row: Row) -> FloatArray:
+    return np.array([row["sd_e"], row["sd_n"], row["sd_h"]], dtype=np.float64)
+
+
+def _has_other(path: Path) -> bool:
+    return "displacements_other" in table_names(path)
