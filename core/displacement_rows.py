@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from datetime import datetime
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -243,20 +244,19 @@ def series(details: UnitDetails, epochs: Sequence[EpochInfo], datum: str, featur
         return []
     first = seen[0]
     points = [SeriesPoint(first.label, first.time, 0.0, 0.0, np.zeros(3))]
-    sum_vector, sum_variance = np.zeros(3), np.zeros(3)
-    for before, epoch in zip(seen, seen[1:]):
-        step = by_pair.get((before.label, epoch.label))
-        if step is not None:
-            sum_vector = sum_vector + _vector(step)
-            sum_variance = sum_variance + _sd(step) ** 2
-        direct = by_pair.get((first.label, epoch.label))
+    vector: FloatArray | None = np.zeros(3)
+    variance: FloatArray = np.zeros(3)
+    for before, epoch in pairwise(seen):
+        direct, step = by_pair.get((first.label, epoch.label)), by_pair.get((before.label, epoch.label))
         if direct is not None:
-            vector, sd = _vector(direct), _sd(direct)
-        elif step is not None:
-            vector, sd = sum_vector, np.sqrt(sum_variance)
+            vector, variance = _vector(direct), _sd(direct) ** 2
+        elif step is not None and vector is not None:
+            vector, variance = vector + _vector(step), variance + _sd(step) ** 2
         else:
+            # a gap in the chain: what follows can only come from a direct pair
+            vector = None
             continue
-        points.append(SeriesPoint(epoch.label, epoch.time, float(np.linalg.norm(vector)), sd_of_length(vector, sd), vector))
+        points.append(SeriesPoint(epoch.label, epoch.time, float(np.linalg.norm(vector)), sd_of_length(vector, np.sqrt(variance)), vector))
     return points
 
 

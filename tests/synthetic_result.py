@@ -236,7 +236,8 @@ def _write(path: Path, rows: dict[str, list[dict[str, Any]]]) -> None:
         )
         connection.execute(
             "CREATE TABLE gpkg_geometry_columns (table_name TEXT NOT NULL, column_name TEXT NOT NULL, "
-            "geometry_type_name TEXT NOT NULL, srs_id INTEGER NOT NULL, z TINYINT NOT NULL, m TINYINT NOT NULL, CONSTRAINT pk_geom_cols PRIMARY KEY (table_name, column_name))"
+            "geometry_type_name TEXT NOT NULL, srs_id INTEGER NOT NULL, z TINYINT NOT NULL, m TINYINT NOT NULL, "
+            "CONSTRAINT pk_geom_cols PRIMARY KEY (table_name, column_name))"
         )
         for layer in LAYERS.values():
             columns = ", ".join(f'"{field.name}" {SQL_TYPES[field.type]}' for field in layer.fields)

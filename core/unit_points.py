@@ -1,0 +1,218 @@
+"""Points around single units, from an index beside the result that answers in milliseconds.
+
+The index holds, per epoch and tile, the points near any unit in the control frame, sorted by square cells, as plain numpy
+files that are mapped into memory: neither LAZ nor the engine is needed to read them.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import shutil
+import tempfile
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .errors import InputError, OutputError
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+INDEX_VERSION = 1
+SCALE = 1e-4
+"""Resolution of stored coordinates, metres: far below any sensor's noise."""
+_STRIDE = 1 << 20
+
+
+@dataclass(frozen=True)
+class IndexPart:
+    """Points of one tile: file stem, number of points and bounds (min e, min n, max e, max n) in metres."""
+
+    stem: str
+    count: int
+    bounds: tuple[float, float, float, float]
+
+
+def index_folder(result: Path) -> Path:
+    """Folder of the point index that belongs to a result.gpkg."""
+    return result.with_name(f"{result.stem}.points")
+
+
+class PointIndex:
+    """Points of a survey near its units, by epoch.
+
+    Parameters
+    ----------
+    folder
+        What :func:`write_index` wrote.
+
+    Raises
+    ------
+    InputError
+        There is no index, or one of another version.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        description = folder / "index.json"
+        if not description.is_file():
+            raise InputError(
+                "there is no point index", source=folder, remedy="Build it with tetratrack unit-points, or from the review dock."
+            )
+        try:
+            content = json.loads(description.read_text(encoding="utf-8"))
+            version = content["version"]
+            self.origin = np.array(content["origin"], dtype=np.float64)
+            self.cell = float(content["cell"])
+            self._parts = {
+                epoch: [IndexPart(part["stem"], int(part["count"]), tuple(part["bounds"])) for part in parts]
+                for epoch, parts in content["epochs"].items()
+            }
+        except (json.JSONDecodeError, KeyError, TypeError, ValueError) as error:
+            raise InputError("is no point index", source=description, remedy="Delete the folder and build it again.") from error
+        if version != INDEX_VERSION:
+            raise InputError(f"is a point index of version {version}", source=description, remedy="Delete the folder and build it again.")
+
+    @property
+    def epochs(self) -> tuple[str, ...]:
+        """Labels of the epochs the index holds."""
+        return tuple(self._parts)
+
+    def read(self, epoch: str, centre: ArrayLike, half_size: float) -> FloatArray:
+        """(n, 3) points of an epoch in the cube ``centre`` ± ``half_size`` metres, control frame; (0, 3) where nothing is indexed."""
+        middle = np.asarray(centre, dtype=np.float64)
+        low, high = middle - half_size, middle + half_size
+        found = [np.empty((0, 3))]
+        for part in self._parts.get(epoch, []):
+            e0, n0, e1, n1 = part.bounds
+            if e1 < low[0] or e0 > high[0] or n1 < low[1] or n0 > high[1]:
+                continue
+            found.append(self._read_part(part, low, high))
+        points = np.vstack(found)
+        return points[np.all((points >= low) & (points <= high), axis=1)]
+
+    def _read_part(self, part: IndexPart, low: FloatArray, high: FloatArray) -> FloatArray:
+        keys, starts, coordinates = self._files(part.stem)
+        first = np.floor((low[:2] - self.origin[:2]) / self.cell).astype(np.int64)
+        last = np.floor((high[:2] - self.origin[:2]) / self.cell).astype(np.int64)
+        pieces = []
+        # cells of one row follow each other in the file
+        for i in range(int(first[0]), int(last[0]) + 1):
+            a = np.searchsorted(keys, _key(i, int(first[1])), side="left")
+            b = np.searchsorted(keys, _key(i, int(last[1])), side="right")
+            if b > a:
+                pieces.append(np.asarray(coordinates[starts[a] : starts[b]]))
+        return np.vstack(pieces) * SCALE + self.origin if pieces else np.empty((0, 3))
+
+    def _files(self, stem: str) -> tuple[IntArray, IntArray, NDArray[np.int32]]:
+        if stem not in self._open:
+            cells = np.load(self.folder / f"{stem}.cells.npy", allow_pickle=False)
+            self._open[stem] = (cells[0], cells[1], np.load(self.folder / f"{stem}.points.npy", mmap_mode="r", allow_pickle=False))
+        return self._open[stem]
+
+    @cached_property
+    def _open(self) -> dict[str, tuple[IntArray, IntArray, NDArray[np.int32]]]:
+        return {}
+
+
+def write_index(
+    folder: Path, tiles: Iterable[tuple[str, str, FloatArray]], centres: ArrayLike, half_size: float, cell: float | None = None
+) -> int:
+    """Write the index of all points near units; an index that is there already is replaced when the new one is complete.
+
+    Parameters
+    ----------
+    folder
+        Where to write, see :func:`index_folder`.
+    tiles
+        (epoch label, tile name, (n, 3) points in the control frame), one tile at a time.
+    centres
+        (m, 3) centres of the units in all epochs.
+    half_size
+        Points farther than this from every centre (in each coordinate) are left out, metres.
+    cell
+        Edge of the cells, metres; half of ``half_size`` by default.
+
+    Returns
+    -------
+    int
+        Number of points indexed.
+
+    Raises
+    ------
+    OutputError
+        The folder cannot be written.
+    """
+    middle = np.asarray(centres, dtype=np.float64).reshape(-1, 3)
+    if len(middle) == 0:
+        raise InputError("there are no units to index points around", source=folder, remedy="Run the survey first.")
+    edge = half_size / 2 if cell is None else cell
+    origin = np.floor(middle.min(axis=0) - 2 * half_size)
+    wanted = _cells_near(middle, origin, half_size, edge)
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        work = Path(tempfile.mkdtemp(prefix=f"{folder.name}.", dir=folder.parent))
+    except OSError as error:
+        raise OutputError(f"cannot be written ({error.strerror})", source=folder, remedy="Choose a folder that can be written.") from error
+    total = 0
+    parts: dict[str, list[dict[str, object]]] = {}
+    try:
+        for number, (epoch, _tile, points) in enumerate(tiles):
+            kept = _write_part(work / f"{number:05d}", points, origin, edge, wanted)
+            parts.setdefault(epoch, [])
+            if kept is not None:
+                parts[epoch].append({"stem": f"{number:05d}", "count": kept[0], "bounds": kept[1]})
+                total += kept[0]
+        content = {"version": INDEX_VERSION, "origin": origin.tolist(), "cell": edge, "half_size": half_size, "epochs": parts}
+        (work / "index.json").write_text(json.dumps(content, indent=1), encoding="utf-8")
+        if folder.exists():
+            shutil.rmtree(folder)
+        os.replace(work, folder)
+    except OSError as error:
+        raise OutputError(
+            f"cannot be written ({error.strerror})", source=folder, remedy="Free disk space or choose another folder."
+        ) from error
+    finally:
+        shutil.rmtree(work, ignore_errors=True)
+    return total
+
+
+def _write_part(
+    stem: Path, points: FloatArray, origin: FloatArray, cell: float, wanted: IntArray
+) -> tuple[int, tuple[float, float, float, float]] | None:
+    place = np.floor((points[:, :2] - origin[:2]) / cell).astype(np.int64)
+    keys = place[:, 0] * _STRIDE + place[:, 1]
+    inside = (place >= 0).all(axis=1) & (place < _STRIDE).all(axis=1)
+    slot = np.minimum(np.searchsorted(wanted, keys), len(wanted) - 1)
+    near = inside & (wanted[slot] == keys)
+    if not near.any():
+        return None
+    kept, keys = points[near], keys[near]
+    order = np.argsort(keys, kind="stable")
+    kept, keys = kept[order], keys[order]
+    cells, starts = np.unique(keys, return_index=True)
+    # one more start than cells, so that the last cell ends somewhere; its key is never asked for
+    table = np.vstack([np.append(cells, np.iinfo(np.int64).max), np.append(starts, len(kept))])
+    np.save(stem.with_name(f"{stem.name}.cells.npy"), table)
+    np.save(stem.with_name(f"{stem.name}.points.npy"), np.round((kept - origin) / SCALE).astype(np.int32))
+    low, high = kept.min(axis=0), kept.max(axis=0)
+    return len(kept), (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+
+
+def _cells_near(centres: FloatArray, origin: FloatArray, half_size: float, cell: float) -> IntArray:
+    """Sorted keys of all cells that reach into ``half_size`` of a centre."""
+    reach = math.ceil(half_size / cell)
+    step = np.arange(-reach, reach + 1)
+    place = np.floor((centres[:, :2] - origin[:2]) / cell).astype(np.int64)
+    i = (place[:, 0, None, None] + step[None, :, None]) * _STRIDE
+    return np.unique(i + place[:, 1, None, None] + step[None, None, :])
+
+
+def _key(i: int, j: int) -> int:
+    return i * _STRIDE + j
