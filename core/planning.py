@@ -150,7 +150,7 @@ def detectability(unit: UnitType, plan: SurveyPlan, *, orientations: int = ORIEN
         )
     if not rows:
         raise ValueError("the planned points determine the pose of no unit: raise the density or the visible share")
-    return Detectability(*(float(v) for v in np.median(rows, axis=0)), len(rows) / orientations)
+    return Detectability(*[*np.median(rows, axis=0).tolist(), len(rows) / orientations])
 
 
 def noncentrality(significance: float, power: float, freedom: int = 3) -> float:
