@@ -1,0 +1,355 @@
+"""Legs to whole units: common centre and leg angles, refinement of the pose, and what the points say about it (paper 2.1).
+
+A pose is held as 12 numbers here, centre (3) and rotation body -> frame (9, by rows), because that is what compiled loops like.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import njit, prange
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from .conic_ransac import Legs
+from .neighbourhood import Grid, gather
+from .unit_types import UnitType
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+AZIMUTH_CELLS, AXIAL_CELLS = 8, 4
+CELLS_PER_LEG = AZIMUTH_CELLS * AXIAL_CELLS + 1
+NUMBER_OF_CELLS = 4 * CELLS_PER_LEG
+SUPPORT, CLOSE, INSIDE, CELLS, LEGS, RMS, REACHED = range(7)
+"""Columns of the evidence table of :func:`evidence`."""
+
+
+def poses_from_pairs(legs: Legs, unit: UnitType) -> FloatArray:
+    """Whole-unit poses from pairs of legs that meet at the unit's leg angle: (k, 12)."""
+    height = unit.height
+    if len(legs.axis) < 2:
+        return np.zeros((0, 12))
+    pairs = cKDTree(legs.centre).query_pairs(0.45 * height, output_type="ndarray")
+    i, j = pairs[:, 0], pairs[:, 1]
+    a, b = legs.axis[i], legs.axis[j]
+    cosine = np.einsum("ij,ij->i", a, b)
+    opening = float(unit.leg_directions[0] @ unit.leg_directions[1])
+    fits = np.abs(np.arccos(np.clip(cosine, -1, 1)) - np.arccos(opening)) < np.radians(16)
+    i, j, a, b, cosine = i[fits], j[fits], a[fits], b[fits], cosine[fits]
+    gap = legs.centre[j] - legs.centre[i]
+    # nearest approach of the two lines, each point held back by how far its own leg can shift along its axis
+    s = (np.einsum("ij,ij->i", gap, a) - np.einsum("ij,ij->i", gap, b) * cosine) / (1 - cosine**2)
+    t = (np.einsum("ij,ij->i", gap, a) * cosine - np.einsum("ij,ij->i", gap, b)) / (1 - cosine**2)
+    first, second = legs.centre[i] + s[:, None] * a, legs.centre[j] + t[:, None] * b
+    miss = np.linalg.norm(first - second, axis=1)
+    reach_i = 4 * legs.centre_sd[i] + 0.1 * height
+    reach_j = 4 * legs.centre_sd[j] + 0.1 * height
+    fits = (miss < 0.12 * height) & (np.abs(s) < reach_i) & (np.abs(t) < reach_j)
+    centre = (0.5 * (first + second))[fits]
+    return np.column_stack([centre, _rotation_of_legs(a[fits], b[fits], unit)])
+
+
+def _rotation_of_legs(a: FloatArray, b: FloatArray, unit: UnitType) -> FloatArray:
+    """(k, 9) rotations that bring legs 1 and 2 of the body closest to the directions a and b."""
+    total, across = a + b, np.cross(a, b)
+    total /= np.linalg.norm(total, axis=1, keepdims=True)
+    across /= np.linalg.norm(across, axis=1, keepdims=True)
+    frame = np.stack([total, across, np.cross(total, across)], axis=2)
+    d1, d2 = unit.leg_directions[0], unit.leg_directions[1]
+    bisector, normal = d1 + d2, np.cross(d1, d2)
+    bisector, normal = bisector / np.linalg.norm(bisector), normal / np.linalg.norm(normal)
+    body = np.column_stack([bisector, normal, np.cross(bisector, normal)])
+    return np.asarray((frame @ body.T).reshape(len(a), 9))
+
+
+def poses_from_single_legs(
+    legs: Legs, points: FloatArray, active: NDArray[np.bool_], grid: Grid, unit: UnitType, tolerance: float
+) -> FloatArray:
+    """The best two poses about each leg, searched over the shift along its axis and the twist about it: (2 k, 12)."""
+    if not len(legs.axis):
+        return np.zeros((0, 12))
+    reach = np.clip(2.5 * legs.centre_sd, 0.06 * unit.height, 0.24 * unit.height)
+    return _twist_search(
+        legs.axis, legs.centre, reach, points, active, grid.start, grid.order, grid.origin, grid.size, grid.cell,
+        unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance,
+    )  # fmt: skip
+
+
+def refine(
+    poses: FloatArray, points: FloatArray, normals: FloatArray, active: NDArray[np.bool_], grid: Grid, unit: UnitType,
+    tolerance: float, *, most: int = 500, sweeps: int = 12,
+) -> FloatArray:  # fmt: skip
+    """Robust least squares of each (12,) pose to the active points around it, tolerance narrowing from 4 to 1.5 times."""
+    if not len(poses):
+        return poses
+    return _refine(
+        poses, points, normals, active, grid.start, grid.order, grid.origin, grid.size, grid.cell,
+        unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance, most, sweeps,
+    )  # fmt: skip
+
+
+def evidence(
+    poses: FloatArray, points: FloatArray, normals: FloatArray, sign: NDArray[np.int8], active: NDArray[np.bool_], grid: Grid,
+    unit: UnitType, tolerance: float,
+) -> FloatArray:  # fmt: skip
+    """What the points say about each pose: (k, 7) with columns SUPPORT, CLOSE, INSIDE, CELLS, LEGS, RMS, REACHED.
+
+    SUPPORT counts active points on the surface whose normal agrees, CLOSE all active points on the surface, INSIDE points
+    (active or not) deep within the solid, CELLS the surface cells (of 132) holding support, LEGS legs with at least two such cells,
+    RMS the misfit of the support in metres, REACHED the active points near the unit.
+    """
+    if not len(poses):
+        return np.zeros((0, 7))
+    return _evidence(
+        poses, points, normals, sign, active, grid.start, grid.order, grid.origin, grid.size, grid.cell,
+        unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance,
+    )  # fmt: skip
+
+
+@njit(cache=True)
+def _relate(x: Any, y: Any, z: Any, legs: Any, radius: float, gradient: float, length: float) -> Any:
+    """Leg, signed distance, part (0 lateral, 1 end disc), axial coordinate and distance from the axis, in the body frame."""
+    leg = 0
+    axial = -1e300
+    for k in range(4):
+        lean = x * legs[k, 0] + y * legs[k, 1] + z * legs[k, 2]
+        if lean > axial:
+            axial = lean
+            leg = k
+    rho = np.sqrt(max(x * x + y * y + z * z - axial * axial, 0.0))
+    lateral = (rho - radius + gradient * axial) / np.sqrt(1.0 + gradient * gradient)
+    end = axial - length
+    edge = radius - gradient * length
+    if end > 0.0 and rho > edge:
+        return leg, np.sqrt(end * end + (rho - edge) ** 2), 2, axial, rho
+    if end > lateral:
+        return leg, end, 1, axial, rho
+    return leg, lateral, 0, axial, rho
+
+
+@njit(cache=True, parallel=True)
+def _twist_search(
+    axes: Any, centres: Any, reaches: Any, points: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
+    legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
+) -> Any:  # fmt: skip
+    n = len(axes)
+    out = np.zeros((2 * n, 12))
+    twists = 14
+    for i in prange(n):
+        near = gather(points, active, centres[i], 0.85 * height, start, order, origin, size, cell, 260)
+        m = len(near)
+        axis = axes[i]
+        help_axis = np.array([1.0, 0.0, 0.0]) if abs(axis[0]) < 0.8 else np.array([0.0, 1.0, 0.0])
+        e1 = np.cross(axis, help_axis)
+        e1 /= np.sqrt(np.sum(e1 * e1))
+        e2 = np.cross(axis, e1)
+        local = np.empty((m, 3))
+        for q in range(m):
+            d0 = points[near[q], 0] - centres[i, 0]
+            d1 = points[near[q], 1] - centres[i, 1]
+            d2 = points[near[q], 2] - centres[i, 2]
+            local[q, 0] = d0 * e1[0] + d1 * e1[1] + d2 * e1[2]
+            local[q, 1] = d0 * e2[0] + d1 * e2[1] + d2 * e2[2]
+            local[q, 2] = d0 * axis[0] + d1 * axis[1] + d2 * axis[2]
+        steps = max(1, int(np.ceil(reaches[i] / (0.035 * height))))
+        best = np.full(2, -1e300)
+        best_z = np.zeros(2)
+        best_t = np.zeros(2)
+        for t in range(twists):
+            angle = t * (2.0 * np.pi / 3.0) / twists
+            ca = np.cos(angle)
+            sa = np.sin(angle)
+            for k in range(-steps, steps + 1):
+                shift = k * reaches[i] / steps
+                total = 0.0
+                for q in range(m):
+                    x = ca * local[q, 0] + sa * local[q, 1]
+                    y = -sa * local[q, 0] + ca * local[q, 1]
+                    leg, dist, part, axial, rho = _relate(x, y, local[q, 2] - shift, legs, radius, gradient, length)
+                    if dist < -2.5 * tolerance:
+                        total -= 1.0
+                    elif dist < 2.0 * tolerance and part < 2:
+                        total += 1.0
+                far = 1.0
+                if best[0] > -1e299:
+                    turn = abs(angle - best_t[0])
+                    turn = min(turn, 2.0 * np.pi / 3.0 - turn)
+                    if turn < 0.35 and abs(shift - best_z[0]) < 0.12 * height:
+                        far = 0.0
+                if total > best[0]:
+                    if far > 0.0:
+                        best[1], best_z[1], best_t[1] = best[0], best_z[0], best_t[0]
+                    best[0], best_z[0], best_t[0] = total, shift, angle
+                elif total > best[1] and far > 0.0:
+                    best[1], best_z[1], best_t[1] = total, shift, angle
+        for w in range(2):
+            ca = np.cos(best_t[w])
+            sa = np.sin(best_t[w])
+            for a in range(3):
+                out[2 * i + w, a] = centres[i, a] + best_z[w] * axis[a]
+                out[2 * i + w, 3 + 3 * a] = ca * e1[a] + sa * e2[a]
+                out[2 * i + w, 4 + 3 * a] = -sa * e1[a] + ca * e2[a]
+                out[2 * i + w, 5 + 3 * a] = axis[a]
+    return out
+
+
+@njit(cache=True, parallel=True)
+def _refine(
+    poses: Any, points: Any, normals: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
+    legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float, most: int, sweeps: int,
+) -> Any:  # fmt: skip
+    out = poses.copy()
+    cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
+    for i in prange(len(poses)):
+        near = gather(points, active, poses[i, 0:3], 0.8 * height, start, order, origin, size, cell, most)
+        m = len(near)
+        centre = poses[i, 0:3].copy()
+        rot = poses[i, 3:12].copy().reshape(3, 3)
+        row = np.empty(6)
+        for sweep in range(sweeps):
+            limit = tolerance * max(1.5, 4.0 - 0.5 * sweep)
+            normal = np.zeros((6, 6))
+            right = np.zeros(6)
+            for q in range(m):
+                p = points[near[q]]
+                d = p - centre
+                x = d[0] * rot[0, 0] + d[1] * rot[1, 0] + d[2] * rot[2, 0]
+                y = d[0] * rot[0, 1] + d[1] * rot[1, 1] + d[2] * rot[2, 1]
+                z = d[0] * rot[0, 2] + d[1] * rot[1, 2] + d[2] * rot[2, 2]
+                leg, dist, part, axial, rho = _relate(x, y, z, legs, radius, gradient, length)
+                if part == 2 or abs(dist) > limit or rho < 1e-9:
+                    continue
+                if part == 1:
+                    nx, ny, nz = legs[leg, 0], legs[leg, 1], legs[leg, 2]
+                else:
+                    nx = ((x - axial * legs[leg, 0]) / rho + gradient * legs[leg, 0]) * cosine
+                    ny = ((y - axial * legs[leg, 1]) / rho + gradient * legs[leg, 1]) * cosine
+                    nz = ((z - axial * legs[leg, 2]) / rho + gradient * legs[leg, 2]) * cosine
+                gx = rot[0, 0] * nx + rot[0, 1] * ny + rot[0, 2] * nz
+                gy = rot[1, 0] * nx + rot[1, 1] * ny + rot[1, 2] * nz
+                gz = rot[2, 0] * nx + rot[2, 1] * ny + rot[2, 2] * nz
+                v = normals[near[q]]
+                if abs(gx * v[0] + gy * v[1] + gz * v[2]) < 0.75:
+                    continue
+                w = (1.0 - (dist / limit) ** 2) ** 2
+                # moving the unit by dX changes the distance by -n.dX; turning it by dw by -(d x n).dw
+                row[0], row[1], row[2] = -gx, -gy, -gz
+                row[3] = -(d[1] * gz - d[2] * gy) / height
+                row[4] = -(d[2] * gx - d[0] * gz) / height
+                row[5] = -(d[0] * gy - d[1] * gx) / height
+                for a in range(6):
+                    right[a] -= w * row[a] * dist
+                    for b in range(6):
+                        normal[a, b] += w * row[a] * row[b]
+            weight = normal[0, 0] + normal[1, 1] + normal[2, 2]
+            if weight < 5.0:
+                break
+            for a in range(6):
+                normal[a, a] += 2e-3 * weight / 3.0
+            step = np.linalg.solve(normal, right)
+            for a in range(3):
+                centre[a] += min(max(step[a], -0.06 * height), 0.06 * height)
+            w0 = min(max(step[3] / height, -0.12), 0.12)
+            w1 = min(max(step[4] / height, -0.12), 0.12)
+            w2 = min(max(step[5] / height, -0.12), 0.12)
+            angle = np.sqrt(w0 * w0 + w1 * w1 + w2 * w2)
+            if angle > 1e-12:
+                k0, k1, k2 = w0 / angle, w1 / angle, w2 / angle
+                sa = np.sin(angle)
+                ca = 1.0 - np.cos(angle)
+                turn = np.empty((3, 3))
+                turn[0, 0] = 1 - ca * (k1 * k1 + k2 * k2)
+                turn[0, 1] = -sa * k2 + ca * k0 * k1
+                turn[0, 2] = sa * k1 + ca * k0 * k2
+                turn[1, 0] = sa * k2 + ca * k0 * k1
+                turn[1, 1] = 1 - ca * (k0 * k0 + k2 * k2)
+                turn[1, 2] = -sa * k0 + ca * k1 * k2
+                turn[2, 0] = -sa * k1 + ca * k0 * k2
+                turn[2, 1] = sa * k0 + ca * k1 * k2
+                turn[2, 2] = 1 - ca * (k0 * k0 + k1 * k1)
+                rot = turn @ rot
+            if sweep > 5 and angle < 1e-4 and abs(step[0]) + abs(step[1]) + abs(step[2]) < 1e-4 * height:
+                break
+        for a in range(3):
+            out[i, a] = centre[a]
+            for b in range(3):
+                out[i, 3 + 3 * a + b] = rot[a, b]
+    return out
+
+
+@njit(cache=True, parallel=True)
+def _evidence(
+    poses: Any, points: Any, normals: Any, sign: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
+    legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
+) -> Any:  # fmt: skip
+    out = np.zeros((len(poses), 7))
+    cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
+    everything = np.ones(len(points), dtype=np.bool_)
+    first = np.empty((4, 3))
+    second = np.empty((4, 3))
+    for k in range(4):
+        help_axis = np.array([0.0, 0.0, 1.0]) if abs(legs[k, 2]) < 0.9 else np.array([1.0, 0.0, 0.0])
+        e1 = np.cross(help_axis, legs[k])
+        first[k] = e1 / np.sqrt(np.sum(e1 * e1))
+        second[k] = np.cross(legs[k], first[k])
+    low = 0.2 * height
+    for i in prange(len(poses)):
+        near = gather(points, everything, poses[i, 0:3], 0.75 * height, start, order, origin, size, cell, 1 << 40)
+        rot = poses[i, 3:12].copy().reshape(3, 3)
+        cells = np.zeros(132, dtype=np.int64)
+        squares = 0.0
+        for q in near:
+            d = points[q] - poses[i, 0:3]
+            x = d[0] * rot[0, 0] + d[1] * rot[1, 0] + d[2] * rot[2, 0]
+            y = d[0] * rot[0, 1] + d[1] * rot[1, 1] + d[2] * rot[2, 1]
+            z = d[0] * rot[0, 2] + d[1] * rot[1, 2] + d[2] * rot[2, 2]
+            leg, dist, part, axial, rho = _relate(x, y, z, legs, radius, gradient, length)
+            if dist < -max(3.0 * tolerance, 0.03 * height):
+                out[i, 2] += 1
+                continue
+            if not active[q]:
+                continue
+            if dist < 6.0 * tolerance:
+                out[i, 6] += 1
+            if part == 2 or abs(dist) > 2.0 * tolerance or rho < 1e-9:
+                continue
+            out[i, 1] += 1
+            if part == 1:
+                nx, ny, nz = legs[leg, 0], legs[leg, 1], legs[leg, 2]
+            else:
+                nx = ((x - axial * legs[leg, 0]) / rho + gradient * legs[leg, 0]) * cosine
+                ny = ((y - axial * legs[leg, 1]) / rho + gradient * legs[leg, 1]) * cosine
+                nz = ((z - axial * legs[leg, 2]) / rho + gradient * legs[leg, 2]) * cosine
+            v = normals[q]
+            agree = nx * (rot[0, 0] * v[0] + rot[1, 0] * v[1] + rot[2, 0] * v[2])
+            agree += ny * (rot[0, 1] * v[0] + rot[1, 1] * v[1] + rot[2, 1] * v[2])
+            agree += nz * (rot[0, 2] * v[0] + rot[1, 2] * v[1] + rot[2, 2] * v[2])
+            if not (agree > 0.85 or (sign[q] == 0 and agree < -0.85)):
+                continue
+            out[i, 0] += 1
+            squares += dist * dist
+            if part == 1:
+                cells[33 * leg + 32] += 1
+            else:
+                across1 = x * first[leg, 0] + y * first[leg, 1] + z * first[leg, 2]
+                across2 = x * second[leg, 0] + y * second[leg, 1] + z * second[leg, 2]
+                az = int((np.arctan2(across2, across1) + np.pi) / (2.0 * np.pi) * 7.99999)
+                ring = int(max(0.0, min(0.99999, (axial - low) / (length - low))) * 4.0)
+                cells[33 * leg + 4 * az + ring] += 1
+        filled = 0
+        used = 0
+        for k in range(4):
+            own = 0
+            for c in range(33):
+                if cells[33 * k + c] >= 2:
+                    own += 1
+            filled += own
+            if own >= 2:
+                used += 1
+        out[i, 3] = filled
+        out[i, 4] = used
+        if out[i, 0] > 0:
+            out[i, 5] = np.sqrt(squares / out[i, 0])
+    return out

@@ -1,0 +1,81 @@
+"""A uniform grid over points, for kernels that gather neighbours inside compiled loops."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """Points sorted into cubic cells: cell k holds ``order[start[k]:start[k + 1]]``, in ascending order."""
+
+    start: IntArray
+    order: IntArray
+    origin: FloatArray
+    size: IntArray
+    cell: float
+
+
+def build_grid(points: FloatArray, cell: float, most_cells: int = 20_000_000) -> Grid:
+    """Grid of (n, 3) points; cells grow where the extent would need more than ``most_cells`` of them."""
+    origin = points.min(axis=0)
+    extent = points.max(axis=0) - origin
+    while np.prod(np.floor(extent / cell) + 1) > most_cells:
+        cell *= 1.5
+    size = (np.floor(extent / cell) + 1).astype(np.int64)
+    key = np.minimum(np.floor((points - origin) / cell).astype(np.int64), size - 1)
+    flat = (key[:, 0] * size[1] + key[:, 1]) * size[2] + key[:, 2]
+    order = np.argsort(flat, kind="stable").astype(np.int64)
+    start = np.concatenate([[0], np.cumsum(np.bincount(flat, minlength=int(np.prod(size))))]).astype(np.int64)
+    return Grid(start, order, origin, size, float(cell))
+
+
+@njit(cache=True)
+def gather(
+    points: Any, active: Any, middle: Any, reach: float, start: Any, order: Any, origin: Any, size: Any, cell: float, most: int
+) -> Any:
+    """Indices of active points within ``reach`` of ``middle``; an even choice of ``most`` of them where there are more."""
+    low = np.empty(3, dtype=np.int64)
+    high = np.empty(3, dtype=np.int64)
+    for a in range(3):
+        low[a] = max(0, int(np.floor((middle[a] - reach - origin[a]) / cell)))
+        high[a] = min(size[a] - 1, int(np.floor((middle[a] + reach - origin[a]) / cell)))
+    count = 0
+    room = 256
+    found = np.empty(room, dtype=np.int64)
+    limit = reach * reach
+    for i in range(low[0], high[0] + 1):
+        for j in range(low[1], high[1] + 1):
+            row = (i * size[1] + j) * size[2]
+            # cells of one column are stored one after the other
+            if high[2] < low[2]:
+                continue
+            for k in range(start[row + low[2]], start[row + high[2] + 1]):
+                q = order[k]
+                if not active[q]:
+                    continue
+                x = points[q, 0] - middle[0]
+                y = points[q, 1] - middle[1]
+                z = points[q, 2] - middle[2]
+                if x * x + y * y + z * z <= limit:
+                    if count == room:
+                        wider = np.empty(2 * room, dtype=np.int64)
+                        wider[:room] = found
+                        found = wider
+                        room *= 2
+                    found[count] = q
+                    count += 1
+    if count <= most:
+        return found[:count]
+    chosen = np.empty(most, dtype=np.int64)
+    for k in range(most):
+        chosen[k] = found[int(k * count / most)]
+    return chosen

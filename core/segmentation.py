@@ -1,0 +1,189 @@
+"""From the points of one epoch to tetrapods: conic RANSAC, assembly, verification, aggregation (paper 2.1, METHOD 5)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .aggregation import assign
+from .assembly import (
+    CELLS,
+    CLOSE,
+    INSIDE,
+    LEGS,
+    NUMBER_OF_CELLS,
+    REACHED,
+    RMS,
+    SUPPORT,
+    evidence,
+    poses_from_pairs,
+    poses_from_single_legs,
+    refine,
+)
+from .conic_ransac import find_legs
+from .neighbourhood import Grid, build_grid
+from .pose import Pose
+from .surface_elements import SurfaceElements, surface_elements
+from .unit_types import UnitType
+from .verification import overlap, select
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+Status = Literal["found", "uncertain"]
+
+PASSES = 4
+FOUND_SCORE = 0.5
+"""Units of at least this score are stated as found; the others are kept as uncertain."""
+MOST_INTERPENETRATION = 0.01
+"""Share of a unit's volume that two solid units may seem to share, for the uncertainty of their poses."""
+
+
+@dataclass(frozen=True, eq=False)
+class DetectedUnit:
+    """One tetrapod in one cloud.
+
+    Attributes
+    ----------
+    pose
+        Centre and rotation in the frame of the points given.
+    score
+        0..1, how sure it is that a unit lies here in this pose.
+    coverage
+        Share of the surface that holds supporting points.
+    legs_visible
+        Legs with supporting points in at least two cells.
+    status
+        ``found``, or ``uncertain`` where the evidence is weak.
+    misfit
+        Root mean square distance of the supporting surface elements, metres.
+    interpenetration
+        Largest share of its volume that lies inside another unit.
+    """
+
+    pose: Pose
+    score: float
+    coverage: float
+    legs_visible: int
+    status: Status
+    misfit: float
+    interpenetration: float
+
+
+@dataclass(frozen=True, eq=False)
+class Segmentation:
+    """Units found in a cloud and the points of each.
+
+    Attributes
+    ----------
+    units
+        In order of decreasing evidence.
+    labels
+        (n,) for each point given, the index of its unit or -1.
+    spacing
+        Median distance of a point to its nearest neighbour, metres.
+    noise
+        Standard deviation of a point across the surface, metres.
+    tolerance
+        Distance to the surface within which a surface element supports a unit, metres.
+    """
+
+    units: tuple[DetectedUnit, ...]
+    labels: IntArray
+    spacing: float
+    noise: float
+    tolerance: float
+
+
+def segment(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int = -1) -> Segmentation:
+    """Find the tetrapods in (n, 3) points of a reduced frame, metres.
+
+    Parameters
+    ----------
+    unit
+        Nominal geometry.
+    seed
+        Of the random draws; the result depends on it, the points and the unit only, not on threads.
+    workers
+        Threads of the neighbour searches, -1 for all.
+    """
+    points = np.ascontiguousarray(points, dtype=np.float64)
+    height = unit.height
+    if len(points) < 50:
+        return Segmentation((), np.full(len(points), -1, dtype=np.int64), 0.0, 0.0, 0.0)
+    elements = surface_elements(points, height, workers=workers)
+    grid = build_grid(elements.points, 0.13 * height)
+    tolerance = max(2.5 * elements.element_noise, 0.008 * height)
+    active = np.ones(len(elements.points), dtype=np.bool_)
+    poses = np.zeros((0, 12))
+    for turn in range(PASSES):
+        legs = find_legs(elements, active, grid, unit, tolerance, seed + turn)
+        candidates = poses_from_pairs(legs, unit)
+        if turn > 0:
+            single = poses_from_single_legs(legs, elements.points, active, grid, unit, tolerance)
+            candidates = np.vstack([candidates, single])
+        candidates = refine(candidates, elements.points, elements.normals, active, grid, unit, tolerance, most=250, sweeps=8)
+        chosen = select(candidates, elements, active, grid, unit, tolerance, poses)
+        poses = np.vstack([poses, chosen.poses])
+        if turn == 0 and len(chosen.poses) >= 3:
+            # the strongest units tell the misfit of real surfaces, which roughness and strip offsets make larger than the noise
+            typical = float(np.median(chosen.evidence[: max(3, len(chosen.poses) // 2), RMS]))
+            tolerance = float(np.clip(2.5 * typical, tolerance, 1.3 * tolerance))
+        if turn > 0 and not len(chosen.poses):
+            break
+    return _finish(points, elements, poses, unit, tolerance, grid)
+
+
+def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolerance: float, grid: Grid) -> Segmentation:
+    """Refine the accepted poses on their exclusive points, judge them once more and hand the raw points out."""
+    sign = elements.oriented.astype(np.int8)
+    table = np.zeros((len(poses), 7))
+    for _ in range(2):
+        owner, _ = assign(elements.points, poses, unit, 2.5 * tolerance)
+        for k in range(len(poses)):
+            own = (owner == k) | (owner < 0)
+            poses[k] = refine(poses[k : k + 1], elements.points, elements.normals, own, grid, unit, tolerance, most=1500, sweeps=20)[0]
+            table[k] = evidence(poses[k : k + 1], elements.points, elements.normals, sign, own, grid, unit, tolerance)[0]
+    shared = np.zeros(len(poses))
+    for k in range(len(poses)):
+        for j in range(len(poses)):
+            if j != k and np.sum((poses[j, :3] - poses[k, :3]) ** 2) < (1.29 * unit.height) ** 2:
+                shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
+    typical = _typical_misfit(table)
+    scores = np.array([score(row, tolerance, typical) for row in table])
+    units = []
+    for k, row in enumerate(table):
+        units.append(
+            DetectedUnit(
+                Pose(poses[k, :3], poses[k, 3:].reshape(3, 3)), float(scores[k]), float(row[CELLS] / NUMBER_OF_CELLS), int(row[LEGS]),
+                "found" if scores[k] >= FOUND_SCORE else "uncertain", float(row[RMS]), float(shared[k]),
+            )
+        )  # fmt: skip
+    raw_tolerance = max(3.5 * elements.noise, 2 * tolerance)
+    labels, _ = assign(points, poses, unit, raw_tolerance)
+    return Segmentation(tuple(units), labels, elements.spacing, elements.noise, tolerance)
+
+
+def _typical_misfit(table: FloatArray) -> float:
+    """Median misfit of the better supported half of the poses, metres: what fitting real surfaces leaves in this cloud."""
+    if not len(table):
+        return 0.0
+    order = np.argsort(-table[:, SUPPORT], kind="stable")
+    return float(np.median(table[order[: max(1, len(order) // 2)], RMS]))
+
+
+def score(row: FloatArray, tolerance: float, typical: float) -> float:
+    """How sure a unit is, 0..1, from its evidence row.
+
+    The product of: share of the elements near its surface that lie on it, share of those whose normals agree, freedom from
+    points inside, a misfit no larger than is typical of this cloud (and than chance would give), and enough cells.
+    """
+    if row[CLOSE] < 1:
+        return 0.0
+    shares = (row[CLOSE] / max(row[REACHED], 1), row[SUPPORT] / row[CLOSE], 1 - row[INSIDE] / row[CLOSE])
+    fit = np.clip((1.15 - row[RMS] / tolerance) / 0.5, 0, 1)
+    usual = np.clip((3.0 - row[RMS] / max(typical, 1e-12)) / 1.5, 0, 1)
+    size = 1 - np.exp(-row[CELLS] / 4)
+    return float(np.clip(np.prod(np.clip(shares, 0, 1)) * fit * usual * size, 0, 1))

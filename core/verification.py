@@ -1,0 +1,152 @@
+"""Verification of whole units: support against contradiction, exclusive claims on the points, no two solids in one place."""
+
+from __future__ import annotations
+
+import heapq
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from .assembly import CELLS, CLOSE, INSIDE, REACHED, RMS, SUPPORT, evidence, refine
+from .neighbourhood import Grid
+from .surface_elements import SurfaceElements
+from .tetrapod import relate
+from .unit_types import UnitType
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+FEWEST_CELLS = 5
+"""Surface cells (of 132) below which a pose is not kept even as a weak one: less than about 4 % of the surface."""
+MOST_OVERLAP = 0.06
+"""Share of a unit's volume by which a candidate may enter an accepted unit before both have their final pose."""
+
+
+@dataclass(frozen=True, eq=False)
+class Accepted:
+    """Poses kept by :func:`select`, strongest first, with the evidence each had when it was accepted.
+
+    Attributes
+    ----------
+    poses
+        (k, 12) centre and rotation by rows.
+    evidence
+        (k, 7) columns as in ``assembly``.
+    """
+
+    poses: FloatArray
+    evidence: FloatArray
+
+
+def select(
+    candidates: FloatArray, elements: SurfaceElements, active: NDArray[np.bool_], grid: Grid, unit: UnitType, tolerance: float,
+    accepted: FloatArray,
+) -> Accepted:  # fmt: skip
+    """Accept candidates one by one, each judged on the points that are still unclaimed; claims are written into ``active``.
+
+    The worth of a candidate is the number of elements that support it less three for each that lies inside the solid. It only
+    falls as points are claimed, so a queue of old values, re-judged when they come to the top, gives the exact greedy order.
+    """
+    sign = elements.oriented.astype(np.int8)
+
+    def judge(poses: FloatArray) -> FloatArray:
+        return evidence(poses, elements.points, elements.normals, sign, active, grid, unit, tolerance)
+
+    table = judge(candidates)
+    queue = [(-worth(row), k, 0) for k, row in enumerate(table) if plausible(row, tolerance)]
+    heapq.heapify(queue)
+    poses: list[FloatArray] = []
+    rows: list[FloatArray] = []
+    others = [p for p in accepted]
+    claimed = 0
+    while queue:
+        value, k, seen = heapq.heappop(queue)
+        pose = candidates[k]
+        near = [p for p in others if np.sum((p[:3] - pose[:3]) ** 2) < (1.29 * unit.height) ** 2]
+        if any(np.sum((p[:3] - pose[:3]) ** 2) < (0.3 * unit.height) ** 2 for p in near):
+            continue
+        if seen < claimed:
+            row = judge(pose[None])[0]
+            if not plausible(row, tolerance):
+                continue
+            if worth(row) < -value - 1e-9:
+                heapq.heappush(queue, (-worth(row), k, claimed))
+                continue
+        finer = refine(
+            pose[None], elements.points, elements.normals, active, grid, unit, tolerance, most=1500, sweeps=20
+        )[0]  # fmt: skip
+        row = judge(finer[None])[0]
+        if worth(row) < -value * 0.9:
+            finer, row = pose, judge(pose[None])[0]
+        if not plausible(row, tolerance) or any(overlap(finer, p, unit) > MOST_OVERLAP for p in near):
+            continue
+        claim(finer, elements.points, active, unit, tolerance)
+        claimed += 1
+        poses.append(finer)
+        rows.append(row)
+        others.append(finer)
+    return Accepted(np.array(poses).reshape(-1, 12), np.array(rows).reshape(-1, 7))
+
+
+def plausible(row: FloatArray, tolerance: float) -> bool:
+    """Whether a candidate may claim points at all: enough cells, few points inside, and a misfit unlike that of chance.
+
+    Points scattered evenly across the window of twice the tolerance on either side have a misfit of 1.15 times the tolerance.
+    """
+    return bool(
+        row[CELLS] >= FEWEST_CELLS
+        and row[INSIDE] <= 0.08 * row[SUPPORT]
+        and row[RMS] < 0.85 * tolerance
+        and row[SUPPORT] > 0.45 * row[CLOSE]
+        and row[CLOSE] > 0.45 * row[REACHED]
+    )
+
+
+def worth(row: FloatArray) -> float:
+    """Support less three for every element inside the solid."""
+    return float(row[SUPPORT] - 3 * row[INSIDE])
+
+
+def claim(pose: FloatArray, points: FloatArray, active: NDArray[np.bool_], unit: UnitType, tolerance: float) -> None:
+    """Take the active points on the surface of the unit out of ``active``."""
+    near = np.flatnonzero(active & (np.max(np.abs(points - pose[:3]), axis=1) < 0.75 * unit.height))
+    relation = relate((points[near] - pose[:3]) @ pose[3:].reshape(3, 3), unit)
+    active[near[np.abs(relation.distance) < 2.5 * tolerance]] = False
+
+
+def overlap(a: FloatArray, b: FloatArray, unit: UnitType) -> float:
+    """Share of the volume of unit ``a`` that lies inside unit ``b``; poses (12,)."""
+    samples = _solid_samples(unit)
+    inside = samples @ a[3:].reshape(3, 3).T + a[:3] - b[:3]
+    return float(_share_inside(inside @ b[3:].reshape(3, 3), unit.leg_directions, unit.radius, unit.gradient, unit.leg_length))
+
+
+@lru_cache(maxsize=32)
+def _solid_samples(unit: UnitType) -> FloatArray:
+    """About 3000 points on a regular lattice inside the solid, body frame."""
+    step = (unit.volume / 3000) ** (1 / 3)
+    half = unit.leg_length * 1.2
+    line = np.arange(-half, half, step)
+    lattice = np.stack(np.meshgrid(line, line, line, indexing="ij"), axis=-1).reshape(-1, 3)
+    return lattice[relate(lattice, unit).distance < 0]
+
+
+@njit(cache=True)
+def _share_inside(points: Any, legs: Any, radius: float, gradient: float, length: float) -> float:
+    inside = 0
+    for q in range(len(points)):
+        axial = -1e300
+        x, y, z = points[q, 0], points[q, 1], points[q, 2]
+        for k in range(4):
+            lean = x * legs[k, 0] + y * legs[k, 1] + z * legs[k, 2]
+            if lean > axial:
+                axial = lean
+        if axial < length:
+            rho = radius - gradient * axial
+            if x * x + y * y + z * z - axial * axial < rho * rho:
+                inside += 1
+    return inside / len(points)
