@@ -1,15 +1,24 @@
 """Gauss-Helmert adjustment of four co-centred cones to the points of one unit (paper 2.3, eqs. 8-9).
 
 The condition per point is f = x^2 + y^2 - (r - c z)^2 = 0 in the frame of its leg, or z = leg length on an end disc. It is
-linearised at the *adjusted* observations until both parameters and adjusted observations stand still (Foerstner and Wrobel,
-2016, Photogrammetric Computer Vision, 4.8; Lenzmann and Lenzmann, 2004, on why the one-step form is wrong). Divided by the
-length of its gradient B, the condition's misclosure there is the signed distance to the surface, measured along the noise.
+linearised at the *adjusted* observations until parameters and adjusted observations stand still (Foerstner and Wrobel, 2016,
+Photogrammetric Computer Vision, 4.8; Lenzmann and Lenzmann, 2004, on why the one-step form is wrong). Divided by the length
+of its gradient B, the misclosure there is the signed distance to the surface along the direction in which the noise acts.
+
+Three things go beyond the textbook form, each to keep the estimate unbiased or its covariance honest:
+
+- the second-order bias of distances to a curved surface is removed (Kanatani et al., 2016, Ellipse Fitting for Computer
+  Vision, ch. 8): the component of the noise across the leg's generator lifts a point by half its variance times the curvature;
+- a point near a crease belongs to both legs with the probabilities of a uniformly sampled surface under the noise. Weights
+  that depend on the foot of the perpendicular only are independent of the residual, so the estimating equations keep mean zero;
+- the covariance is the sandwich of an M-estimator (Huber, 1967), with the correlation between residuals of neighbouring points
+  taken from the residuals themselves.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -24,16 +33,26 @@ from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
 
 PARAMETERS = ("e", "n", "h", "omega_e", "omega_n", "omega_h", "r", "c")
-TUKEY_CONSTANT = 4.685
-"""Tuning constant of the biweight: 95 % efficiency at the normal distribution (Maronna et al., 2019, Robust Statistics, 2.4)."""
+FULL_WEIGHT, NO_WEIGHT = 2.5, 5.0
+"""Standardised residuals up to which a point has full weight and from which it has none, with a biweight between (a three-part
+redescending function after Hampel): 99 % efficient for normal noise and fully for bounded noise, where the plain biweight loses 8 %."""
 NONCENTRALITY = 4.13
-"""sqrt(lambda0) of a test of one outlier with alpha = 0.1 % and power 80 % (Baarda, 1968)."""
-LOST_TURN = math.pi / math.sqrt(3)
-"""Standard deviation in radians of an angle of which nothing is known: uniform over the full turn."""
+"""Square root of the noncentrality of a test of one outlier with alpha = 0.1 % and power 80 % (Baarda, 1968)."""
+LOST = math.pi / math.sqrt(3)
+"""Standard deviation of a parameter of which nothing is known: in radians, an angle uniform over the full turn."""
+DETERMINED = 0.5
+"""A direction in parameter space counts as determined if its standard deviation is below this, in radians or leg lengths."""
 MIN_POINTS = 8
+EDGE_RATIO = 0.03
+"""Width of the fillet along creases and of the chamfer around end discs that is left out, as a share of the height."""
+TIP_RATIO = 0.87
+"""Share of the leg up to which the cone of a real leg holds; its tip is rounded."""
+CORRELATION_SAMPLE = 800
+"""Points among which the correlation of residuals is looked for; all pairs are formed."""
+_LAGS = np.array([0.0, 0.006, 0.012, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.2, 0.25])
+"""Edges of the distance classes for that, as shares of the height."""
 
 
 @dataclass(frozen=True)
@@ -46,18 +65,20 @@ class AdjustmentOptions:
         Standard deviation of the unit type's radius (metres) and gradient as prior observations: 0 holds the value
         fixed, inf leaves it free.
     sigma
-        Known noise of one coordinate, metres, or factor on the given covariances; None estimates it.
+        Known noise of one coordinate, metres, or known factor on given standard deviations; None estimates it.
     robust
-        Redescending weights on standardised residuals; off for clean data with known legs.
+        Redescending weights on standardised residuals.
     end_discs
-        Use the planes at the ends of the legs: ``auto`` only on legs where the points show a plane at the nominal length.
+        Use the planes at the ends of the legs; ``auto`` only where the points show a plane at the nominal length.
+    leg_length_sd
+        Standard deviation of the distance from the centre to an end disc as built, metres; None for 0.3 % of it.
     tip
-        Share of the leg length up to which the cone holds; beyond it lateral points are left out (real legs have rounded tips
-        beyond about 0.87). Given legs are left alone.
-    joint
-        Width in metres of the fillet along the creases between legs that is left out.
+        Share of the leg length up to which the cone holds on legs whose end disc is not used; 1 for no limit.
+    edge
+        Width in metres left out along the creases between the legs (fillet) and along the rims of used end discs (chamfer);
+        None for 3 % of the height.
     bias_correction
-        Remove the second-order bias of distances to a curved surface (radius too large by sigma^2 / 2r without it).
+        Remove the second-order bias of distances to a curved surface; without it the radius is too large by sigma^2 / 2r.
     max_iterations
         Limit of the Gauss-Newton iterations.
     """
@@ -67,18 +88,28 @@ class AdjustmentOptions:
     sigma: float | None = None
     robust: bool = True
     end_discs: bool | Literal["auto"] = "auto"
-    tip: float = 1.0
-    joint: float = 0.0
+    leg_length_sd: float | None = None
+    tip: float = TIP_RATIO
+    edge: float | None = None
     bias_correction: bool = True
-    max_iterations: int = 60
+    max_iterations: int = 100
 
     def __post_init__(self) -> None:
         if not (self.radius_sd >= 0 and self.gradient_sd >= 0):
             raise ValueError("radius_sd and gradient_sd must be 0 (fixed), positive (prior) or inf (free)")
         if self.sigma is not None and not self.sigma > 0:
             raise ValueError("sigma must be positive")
+        if self.leg_length_sd is not None and not self.leg_length_sd > 0:
+            raise ValueError("leg_length_sd must be positive")
         if not 0 < self.tip <= 1:
             raise ValueError("tip is a share of the leg length, above 0 and at most 1")
+        if self.edge is not None and self.edge < 0:
+            raise ValueError("edge must not be negative")
+
+    @classmethod
+    def ideal(cls, **changes: object) -> AdjustmentOptions:
+        """For surfaces that are cones everywhere and have no end discs, as in the paper's simulation: nothing is left out."""
+        return cls(**({"end_discs": False, "tip": 1.0, "edge": 0.0} | changes))  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,33 +122,33 @@ class Adjustment:
         Adjusted parameters, in the frame of the points.
     covariance
         (8, 8) with zero rows for what was held fixed. A direction the points do not determine has the variance of
-        knowing nothing (an angle uniform over the turn, a centre anywhere along the leg) and is listed in ``undetermined``.
+        knowing nothing (an angle uniform over the turn, 1.8 leg lengths) and is listed in ``undetermined``.
     sigma0
-        Standard deviation of unit weight: noise over the given a priori noise (1 where none was given).
+        Standard deviation of unit weight: estimated over a priori noise; 1 where no noise was given.
     noise
         Robust standard deviation of the residuals, metres.
     redundancy
-        Effective observations less parameters.
+        Sum of the redundancy numbers: weighted observations less parameters.
     redundancy_numbers
-        (n,) share of each residual that the others check; 0 for unused points.
+        (n,) share of a point's error that shows in its own residual; 0 for unused points.
     minimal_detectable_bias
         (n,) smallest error of one point, metres, found at alpha 0.1 % with power 80 %; inf for unused points.
     weights
-        (n,) 0..1, robust weight times membership.
+        (n,) 0..1, robust weight times share of membership in the leg.
     legs, parts
         (n,) leg 0..3 or -1 for unused points; ``LATERAL`` or ``END_DISC``.
     residuals
-        (n,) signed distance to the part, metres, positive outside; nan for points of no leg.
+        (n,) signed distance to that part, metres, positive outside; nan for points that belong to none.
     n_effective
-        Number of independent observations with the same information, after correlation between residuals.
+        Number of independent points with the same information, after the correlation between residuals.
     converged, iterations
-        Whether the last step was below 1e-3 of the parameters' standard deviations, and how many were made.
+        Whether the last step was below 3 % of the parameters' standard deviations, and how many were made.
     undetermined
         (k, 8) unit directions in parameter space (lengths in units of the leg length) that the points do not determine.
     legs_visible
-        Number of legs with at least 3 % of the used points, and not fewer than eight.
+        Number of legs whose lateral surface holds at least ``MIN_POINTS`` points and 1 % of the used points.
     flags
-        Short statements for the user: ``one leg: twist undetermined``, ``two legs``, ``end discs only``, ...
+        Short statements for the user: ``one leg: twist about its axis undetermined``, ``two legs``, ...
     """
 
     pose: Pose
@@ -138,32 +169,64 @@ class Adjustment:
     iterations: int
     undetermined: FloatArray
     legs_visible: int
-    flags: tuple[str, ...] = field(default=())
+    flags: tuple[str, ...]
 
     def unit(self, unit: UnitType) -> UnitType:
         """The unit type with the adjusted radius and gradient."""
         return unit.with_shape(self.radius, self.gradient)
 
 
-@njit(cache=True, fastmath=False)
-def _normal_tail(t: float) -> float:
+@njit(cache=True)
+def _ramp(t: float) -> float:
+    """0 up to 3/4 of an edge's width, 1 from 5/4: a hard limit would let points flip in and out for ever."""
+    return min(max(2.0 * (t - 0.75), 0.0), 1.0)
+
+
+@njit(cache=True)
+def _robust_weight(u: float) -> tuple[float, float]:
+    """Weight of a standardised residual, and the derivative of weight times residual."""
+    v = (abs(u) - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT)
+    if v <= 0.0:
+        return 1.0, 1.0
+    if v >= 1.0:
+        return 0.0, 0.0
+    weight = (1.0 - v * v) ** 2
+    return weight, weight - abs(u) * 4.0 * v * (1.0 - v * v) / (NO_WEIGHT - FULL_WEIGHT)
+
+
+def _scale_consistency() -> float:
+    """Weighted mean square of a standard normal variable under the robust weights; makes the scale consistent for clean data."""
+    u = np.linspace(0, NO_WEIGHT, 2001)
+    v = np.clip((u - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT), 0, 1)
+    mass = (1 - v * v) ** 2 * np.exp(-0.5 * u * u)
+    return float(np.sum(mass * u * u) / np.sum(mass))
+
+
+_SCALE_CONSISTENCY = _scale_consistency()
+
+
+@njit(cache=True)
+def _inside_probability(t: float) -> float:
+    if t > 6.0:
+        return 1.0
     return 0.5 * math.erfc(-t * 0.7071067811865476)
 
 
 @njit(cache=True)
-def _part(x, y, z, leg, disc, axes, r, c, length, cov, has_cov, out):  # type: ignore[no-untyped-def]
-    """Foot of one point on the lateral surface or end disc of one leg.
+def _foot(x, y, z, leg, disc, axes, r, c, end, cov, has_cov, out):  # type: ignore[no-untyped-def]
+    """Adjusted observation of one point (body frame) on the lateral surface or end disc of one leg.
 
-    ``out`` receives normal (0:3), distance (3), sd factor (4), axial coordinate of the foot (5), second-order bias (6),
-    distance of the foot inside the edge of the part (7), foot (8:11).
+    ``out`` receives the outward normal (0:3), signed distance (3), standard deviation along it for unit noise (4), axial coordinate
+    of the foot (5), second-order bias for unit noise (6), distance of the foot inside the creases or, on a disc, inside the rim (7), and
+    the foot itself (8:11).
     """
     ax, ay, az = axes[leg, 0], axes[leg, 1], axes[leg, 2]
     cosine = 1.0 / math.sqrt(1.0 + c * c)
     fx, fy, fz = x, y, z
-    nx = ny = nz = ux = uy = uz = 0.0
-    e = 0.0
+    nx = ny = nz = ux = uy = uz = e = 0.0
     variance = 1.0
-    turns = 6 if has_cov and not disc else 1
+    # with equal noise the first perpendicular is exact; an inclined noise ellipsoid needs the iteration of the adjusted observation
+    turns = 8 if has_cov and not disc else 1
     for _ in range(turns):
         axial = fx * ax + fy * ay + fz * az
         ux, uy, uz = fx - axial * ax, fy - axial * ay, fz - axial * az
@@ -173,95 +236,124 @@ def _part(x, y, z, leg, disc, axes, r, c, length, cov, has_cov, out):  # type: i
         uz /= rho
         if disc:
             nx, ny, nz = ax, ay, az
-            f = axial - length
+            f = axial - end
         else:
             nx, ny, nz = (ux + c * ax) * cosine, (uy + c * ay) * cosine, (uz + c * az) * cosine
             f = (rho - r + c * axial) * cosine
         e = f + nx * (x - fx) + ny * (y - fy) + nz * (z - fz)
-        if has_cov:
-            gx = cov[0, 0] * nx + cov[0, 1] * ny + cov[0, 2] * nz
-            gy = cov[1, 0] * nx + cov[1, 1] * ny + cov[1, 2] * nz
-            gz = cov[2, 0] * nx + cov[2, 1] * ny + cov[2, 2] * nz
-            variance = gx * nx + gy * ny + gz * nz + 1e-300
-            new_x, new_y, new_z = x - gx * e / variance, y - gy * e / variance, z - gz * e / variance
-        else:
-            new_x, new_y, new_z = x - nx * e, y - ny * e, z - nz * e
-        moved = abs(new_x - fx) + abs(new_y - fy) + abs(new_z - fz)
-        fx, fy, fz = new_x, new_y, new_z
-        if moved < 1e-9 * length:
+        if not has_cov:
+            fx, fy, fz = x - nx * e, y - ny * e, z - nz * e
+            break
+        gx = cov[0, 0] * nx + cov[0, 1] * ny + cov[0, 2] * nz
+        gy = cov[1, 0] * nx + cov[1, 1] * ny + cov[1, 2] * nz
+        gz = cov[2, 0] * nx + cov[2, 1] * ny + cov[2, 2] * nz
+        variance = gx * nx + gy * ny + gz * nz + 1e-300
+        step = e / variance
+        moved = abs(x - gx * step - fx) + abs(y - gy * step - fy) + abs(z - gz * step - fz)
+        fx, fy, fz = x - gx * step, y - gy * step, z - gz * step
+        if moved < 1e-7 * r:
             break
     axial = fx * ax + fy * ay + fz * az
     bias = 0.0
-    if not disc:
-        rho = max(r - c * axial, 0.05 * r)
-        tx, ty, tz = ay * uz - az * uy, az * ux - ax * uz, ax * uy - ay * ux
+    if disc:
+        inside = r - c * end - math.sqrt(max(fx * fx + fy * fy + fz * fz - axial * axial, 0.0))
+    else:
+        curvature = cosine / max(r - c * axial, 0.05 * r)
         if has_cov:
+            # of the noise only the part that is independent of the residual moves the point along the curved surface
+            tx, ty, tz = ay * uz - az * uy, az * ux - ax * uz, ax * uy - ay * ux
             sx = cov[0, 0] * tx + cov[0, 1] * ty + cov[0, 2] * tz
             sy = cov[1, 0] * tx + cov[1, 1] * ty + cov[1, 2] * tz
             sz = cov[2, 0] * tx + cov[2, 1] * ty + cov[2, 2] * tz
             across = sx * nx + sy * ny + sz * nz
-            bias = 0.5 * cosine / rho * (sx * tx + sy * ty + sz * tz - across * across / variance)
+            bias = 0.5 * curvature * (sx * tx + sy * ty + sz * tz - across * across / variance)
         else:
-            bias = 0.5 * cosine / rho
-    if disc:
-        inside = r - c * length - math.sqrt(max(fx * fx + fy * fy + fz * fz - axial * axial, 0.0))
-    else:
-        inside = 1e30
+            bias = 0.5 * curvature
+        inside = 1e300
         for m in range(4):
-            if m != leg:
-                qx, qy, qz = ax - axes[m, 0], ay - axes[m, 1], az - axes[m, 2]
-                q = math.sqrt(qx * qx + qy * qy + qz * qz)
-                lean = (fx * qx + fy * qy + fz * qz) / q
-                slope = (nx * qx + ny * qy + nz * qz) / q
-                lean /= math.sqrt(max(1.0 - slope * slope, 0.05))
-                inside = min(inside, lean)
+            if m == leg:
+                continue
+            qx, qy, qz = ax - axes[m, 0], ay - axes[m, 1], az - axes[m, 2]
+            q = math.sqrt(qx * qx + qy * qy + qz * qz)
+            slope = (nx * qx + ny * qy + nz * qz) / q
+            # from the distance to the crease's plane to the distance within the surface
+            along = (fx * qx + fy * qy + fz * qz) / (q * math.sqrt(max(1.0 - slope * slope, 0.05)))
+            inside = min(inside, along)
     out[0], out[1], out[2], out[3] = nx, ny, nz, e
     out[4], out[5], out[6], out[7] = math.sqrt(variance), axial, bias, inside
     out[8], out[9], out[10] = fx, fy, fz
 
 
 @njit(cache=True)
+def _candidates(x, y, z, given, axes, r, c, length, ends, cov, has_cov, opened, discs, noise, found, density):  # type: ignore[no-untyped-def]
+    """Logarithm of the density of a point under each part (0..3 lateral, 4..7 end discs), into ``density``; returns the best part or -1."""
+    for k in range(8):
+        density[k] = -1e300
+    nearest = given
+    if given < 0:
+        lean = -1e300
+        for k in range(4):
+            s = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
+            if opened[k] and s > lean:
+                lean = s
+                nearest = k
+    reach = x * axes[nearest, 0] + y * axes[nearest, 1] + z * axes[nearest, 2]
+    best = -1
+    for k in range(4):
+        if k != nearest:
+            # the creases are the planes of equal lean: a leg further off than the noise reaches cannot own the point
+            lean = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
+            if given >= 0 or not opened[k] or reach - lean > 10.0 * noise:
+                continue
+        for disc in range(2):
+            if disc == 1 and not discs[k]:
+                continue
+            j = k + 4 * disc
+            _foot(x, y, z, k, disc == 1, axes, r, c, ends[k], cov, has_cov, found[j])
+            spread = max(noise * found[j, 4], 1e-300)
+            share = 1.0
+            if disc == 1 or given < 0:
+                share = _inside_probability(found[j, 7] / spread)
+            if disc == 0 and discs[k]:
+                share *= _inside_probability((ends[k] - found[j, 5]) / spread)
+            if share < 1e-10:
+                continue
+            u = found[j, 3] / spread
+            density[j] = math.log(share / spread) - 0.5 * u * u
+            if best < 0 or density[j] > density[best]:
+                best = j
+    return best
+
+
+@njit(cache=True)
 def _pass(  # type: ignore[no-untyped-def]
-    points,
-    centre,
-    rotation,
-    axes,
-    shape,
-    cov,
-    given,
-    discs,
-    scale,
-    noise,
-    tip,
-    joint,
-    tukey,
-    normal,
-    rhs,
-    legs,
-    parts,
-    residuals,
-    sds,
-    biases,
-    weights,
-    rows,
-):
+    points, centre, rotation, axes, shape, ends, cov, given, opened, discs, scale, noise, correct, tip, edge, redescend, final,
+    normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, rows, feet,
+):  # fmt: skip
     """One linearisation: normal equations, right-hand side and the state of every point.
 
-    ``scale`` standardises residuals, ``noise`` is the coordinate noise (m or factor) for membership and bias; ``tukey`` 0
-    switches robust weights off. Returns the weighted sum of squared standardised residuals and the sum of weights.
+    ``scale`` standardises residuals and ``noise`` is the noise for memberships, both in metres or as a factor on ``cov``; ``correct`` is
+    the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for
+    what the covariance needs. Of the 12 unknowns the last four are the errors of the
+    leg lengths. ``normal`` and ``rhs`` make the Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``
+    (their rows' outer products), the others ``shared`` (derivative of their scores) and ``shared_scores`` (outer products of these).
+    Returns the weighted sum of squared residuals, the sum of weights, and the number, sum of psi^2 and of psi' of the former points.
     """
     n = points.shape[0]
     r, c, length = shape[0], shape[1], shape[2]
     has_cov = cov.shape[0] == n
     normal[:, :] = 0.0
+    plain[:, :] = 0.0
+    shared[:, :] = 0.0
+    shared_scores[:, :] = 0.0
     rhs[:] = 0.0
     body_cov = np.zeros((3, 3))
     found = np.zeros((8, 11))
     density = np.zeros(8)
-    row = np.zeros(8)
+    row = np.zeros(12)
+    mean_score = np.zeros(12)
     cosine = 1.0 / math.sqrt(1.0 + c * c)
-    square_sum = 0.0
-    weight_sum = 0.0
+    squares = total_weight = psi_squares = slopes = singles = 0.0
     for i in range(n):
         legs[i] = -1
         parts[i] = 0
@@ -269,117 +361,208 @@ def _pass(  # type: ignore[no-untyped-def]
         residuals[i] = math.nan
         sds[i] = 1.0
         biases[i] = 0.0
-        rows[i, :] = 0.0
-        if given.shape[0] == n and given[i] < 0:
+        known = given[i] if given.shape[0] == n else -1
+        if known < 0 and given.shape[0] == n:
             continue
         px, py, pz = points[i, 0] - centre[0], points[i, 1] - centre[1], points[i, 2] - centre[2]
         x = rotation[0, 0] * px + rotation[1, 0] * py + rotation[2, 0] * pz
         y = rotation[0, 1] * px + rotation[1, 1] * py + rotation[2, 1] * pz
         z = rotation[0, 2] * px + rotation[1, 2] * py + rotation[2, 2] * pz
         if has_cov:
-            body_cov[:, :] = rotation.T @ cov[i] @ rotation
-        best = -1
-        top = -1e300
-        for k in range(8):
-            density[k] = -1e300
-        if given.shape[0] == n:
-            leg = given[i]
-            _part(x, y, z, leg, False, axes, r, c, length, body_cov, has_cov, found[leg])
-            best = leg
-            top = density[leg] = 0.0
-        else:
-            nearest = 0
-            lean = -1e300
-            for k in range(4):
-                s = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
-                if s > lean:
-                    lean = s
-                    nearest = k
-            for k in range(4):
-                # a leg whose sector is further away than the noise reaches cannot own the point
-                s = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
-                if k != nearest and lean - s > 8.0 * noise:
-                    continue
-                _part(x, y, z, k, False, axes, r, c, length, body_cov, has_cov, found[k])
-                spread = max(noise * found[k, 4], 1e-12)
-                if found[k, 7] < joint:
-                    if k == nearest and found[k, 7] > -4.0 * spread and joint > 0.0:
-                        top = 1e300
-                    continue_membership = joint <= 0.0
-                else:
-                    continue_membership = True
-                if found[k, 5] > tip or not continue_membership:
-                    if not discs[k]:
-                        continue
-                inside = _normal_tail(found[k, 7] / spread)
-                if discs[k]:
-                    inside *= _normal_tail((length - found[k, 5]) / spread)
-                if found[k, 5] <= tip and continue_membership and inside > 1e-12:
-                    u = found[k, 3] / spread
-                    density[k] = -0.5 * u * u + math.log(inside)
-                if discs[k]:
-                    _part(x, y, z, k, True, axes, r, c, length, body_cov, has_cov, found[k + 4])
-                    spread = max(noise * found[k + 4, 4], 1e-12)
-                    inside = _normal_tail(found[k + 4, 7] / spread)
-                    if inside > 1e-12:
-                        u = found[k + 4, 3] / spread
-                        density[k + 4] = -0.5 * u * u + math.log(inside)
-            if top == 1e300:
-                continue
-            for k in range(8):
-                if density[k] > top:
-                    top = density[k]
-                    best = k
-            if best < 0:
-                continue
-        total = 0.0
-        for k in range(8):
-            total += math.exp(max(density[k] - top, -700.0)) if density[k] > -1e299 else 0.0
+            for a in range(3):
+                for b in range(3):
+                    total = 0.0
+                    for p in range(3):
+                        for q in range(3):
+                            total += rotation[p, a] * cov[i, p, q] * rotation[q, b]
+                    body_cov[a, b] = total
+        best = _candidates(x, y, z, known, axes, r, c, length, ends, body_cov, has_cov, opened, discs, noise, found, density)
+        if best < 0:
+            continue
         legs[i] = best % 4
-        parts[i] = 1 if best >= 4 else 0
+        parts[i] = best // 4
         residuals[i] = found[best, 3]
         sds[i] = found[best, 4]
-        biases[i] = found[best, 6] * noise * noise
+        biases[i] = found[best, 6] * correct * correct
+        feet[i, 0], feet[i, 1], feet[i, 2] = found[best, 8], found[best, 9], found[best, 10]
+        total = 0.0
         for k in range(8):
-            if density[k] <= -1e299:
+            if density[k] > density[best] - 30.0:
+                total += math.exp(density[k] - density[best])
+        single = total < 1.001
+        mean_score[:] = 0.0
+        for k in range(8):
+            if density[k] < density[best] - 7.0:
                 continue
-            share = math.exp(max(density[k] - top, -700.0)) / total
-            if share < 1e-4:
+            share = math.exp(density[k] - density[best]) / total
+            leg = k % 4
+            # edges are judged at the foot of the perpendicular, which says nothing about the residual
+            gate = 1.0
+            if edge > 0.0 and (k >= 4 or known < 0):
+                gate = _ramp(found[k, 7] / edge)
+            if k < 4:
+                if discs[leg] and edge > 0.0:
+                    gate *= _ramp((ends[leg] - found[k, 5]) / edge)
+                elif not discs[leg] and found[k, 5] > tip:
+                    gate = 0.0
+            if gate == 0.0:
                 continue
-            e = found[k, 3] - found[k, 6] * noise * noise
+            share *= gate
             s = scale * found[k, 4]
-            u = e / s
-            w = share
-            if tukey > 0.0:
-                v = u / tukey
-                w = share * (1.0 - v * v) ** 2 if abs(v) < 1.0 else 0.0
-            if k == best:
-                weights[i] = w
-            square_sum += w * u * u
-            weight_sum += w
+            u = (found[k, 3] - found[k, 6] * correct * correct) / s
+            robust = 1.0
+            slope = 1.0
+            if redescend:
+                robust, slope = _robust_weight(u)
+                if robust == 0.0:
+                    continue
+            w = share * robust
             nx, ny, nz = found[k, 0], found[k, 1], found[k, 2]
-            for m in range(3):
-                row[m] = -(rotation[m, 0] * nx + rotation[m, 1] * ny + rotation[m, 2] * nz)
             mx, my, mz = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
             for m in range(3):
-                row[m + 3] = rotation[m, 0] * mx + rotation[m, 1] * my + rotation[m, 2] * mz
-            if k < 4:
-                row[6] = -cosine
-                row[7] = found[k, 5] * cosine
-            else:
-                row[6] = 0.0
-                row[7] = 0.0
+                row[m] = -(rotation[m, 0] * nx + rotation[m, 1] * ny + rotation[m, 2] * nz) / s
+                row[m + 3] = (rotation[m, 0] * mx + rotation[m, 1] * my + rotation[m, 2] * mz) / s
+            row[6] = -cosine / s if k < 4 else 0.0
+            row[7] = found[k, 5] * cosine / s if k < 4 else 0.0
+            for m in range(4):
+                row[8 + m] = -1.0 / s if m + 4 == k else 0.0
             if k == best:
-                rows[i, :] = row
-            p = w / (s * s)
-            for a in range(8):
-                rhs[a] -= p * row[a] * e
+                weights[i] = w
+                for m in range(12):
+                    rows[i, m] = row[m]
+            squares += w * u * u
+            total_weight += w
+            last = 8 if k < 4 else 12
+            for a in range(last):
+                rhs[a] -= w * row[a] * u
                 for b in range(a + 1):
-                    normal[a, b] += p * row[a] * row[b]
-    for a in range(8):
-        for b in range(a):
-            normal[b, a] = normal[a, b]
-    return square_sum, weight_sum
+                    normal[a, b] += w * row[a] * row[b]
+            if not final:
+                continue
+            if gate < 1.0:
+                single = False
+            if single:
+                singles += 1.0
+                psi_squares += robust * robust * u * u
+                slopes += slope
+            for a in range(last):
+                if single:
+                    for b in range(a + 1):
+                        plain[a, b] += row[a] * row[b]
+                else:
+                    mean_score[a] += w * u * row[a]
+                    for b in range(a + 1):
+                        shared[a, b] += (share * slope - w * robust * u * u) * row[a] * row[b]
+        if final and not single:
+            for a in range(12):
+                for b in range(a + 1):
+                    product = mean_score[a] * mean_score[b]
+                    shared[a, b] += product
+                    shared_scores[a, b] += product
+    for matrix in (normal, plain, shared, shared_scores):
+        for a in range(12):
+            for b in range(a):
+                matrix[b, a] = matrix[a, b]
+    return squares, total_weight, psi_squares, slopes, singles
+
+
+@njit(cache=True)
+def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, scale, noise, out):  # type: ignore[no-untyped-def]
+    """What the noise along the surface adds, in expectation, to the sum of outer products of the rows, into ``out`` (12, 12).
+
+    Rows are taken at adjusted observations, which keep the noise along the surface. It makes legs look longer and therefore parameters
+    better determined than they are (the errors-in-variables effect; 5 % of the variance at a noise of a tenth of the radius).
+    """
+    c = shape[1]
+    cosine = 1.0 / math.sqrt(1.0 + c * c)
+    has_cov = cov.shape[0] == feet.shape[0]
+    body_cov = np.eye(3)
+    for i in range(feet.shape[0]):
+        if weights[i] <= 0.0:
+            continue
+        axis = axes[legs[i]]
+        z = feet[i] @ axis
+        across = feet[i] - z * axis
+        rho = math.sqrt(across @ across) + 1e-300
+        u = across / rho
+        t = np.array([axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2], axis[0] * u[1] - axis[1] * u[0]])
+        lateral = parts[i] == 0
+        n = (u + c * axis) * cosine if lateral else axis
+        g = (axis - c * u) * cosine if lateral else u
+        if has_cov:
+            body_cov = rotation.T @ cov[i] @ rotation
+        spread = body_cov @ n
+        variance = n @ spread
+        along_t = (t @ (body_cov @ t) - (t @ spread) ** 2 / variance) * noise * noise
+        along_g = (g @ (body_cov @ g) - (g @ spread) ** 2 / variance) * noise * noise
+        p = weights[i] / (scale * sds[i]) ** 2
+        shift = np.zeros(12)
+        turn = np.zeros(12)
+        bend = np.zeros(12)
+        row = np.zeros(12)
+        if lateral:
+            arm = cosine * (z - c * rho)
+            shift[3:6] = -(rotation @ t)
+            shift[7] = cosine * cosine
+            turn[:3] = -cosine * (rotation @ t) / rho
+            turn[3:6] = arm * (rotation @ u) / rho
+            bend[:3] = cosine * (rotation @ u) / (rho * rho)
+            bend[3:6] = arm * (rotation @ t) / (rho * rho)
+            row[:3] = -(rotation @ n)
+            row[3:6] = -arm * (rotation @ t)
+            row[6] = -cosine
+            row[7] = z * cosine
+        else:
+            shift[3:6] = -(rotation @ t)
+            turn[3:6] = rotation @ u
+        for a in range(12):
+            for b in range(12):
+                out[a, b] += p * (
+                    along_g * shift[a] * shift[b] + along_t * (turn[a] * turn[b] + 0.5 * (row[a] * bend[b] + bend[a] * row[b]))
+                )
+
+
+@njit(cache=True)
+def _lag_products(points, values, whitened, lags, sums, expected, counts):  # type: ignore[no-untyped-def]
+    """Products of residuals over all pairs, by class of distance, and what the fit itself makes of white noise there."""
+    n = points.shape[0]
+    reach = lags[-1] ** 2
+    for i in range(n):
+        for j in range(i):
+            dx, dy, dz = points[i, 0] - points[j, 0], points[i, 1] - points[j, 1], points[i, 2] - points[j, 2]
+            square = dx * dx + dy * dy + dz * dz
+            if square >= reach:
+                continue
+            distance = math.sqrt(square)
+            k = 0
+            while lags[k + 1] <= distance:
+                k += 1
+            counts[k] += 1.0
+            sums[k] += values[i] * values[j]
+            hat = 0.0
+            for m in range(whitened.shape[1]):
+                hat += whitened[i, m] * whitened[j, m]
+            expected[k] -= hat
+
+
+@njit(cache=True)
+def _pair_products(points, rows, length, exponent, reach, out):  # type: ignore[no-untyped-def]
+    """Sum over all pairs i != j of exp(-(distance / length)^exponent) times the outer product of their rows, into ``out``."""
+    n, m = rows.shape
+    mixed = np.zeros(m)
+    for i in range(n):
+        mixed[:] = 0.0
+        for j in range(n):
+            dx, dy, dz = points[i, 0] - points[j, 0], points[i, 1] - points[j, 1], points[i, 2] - points[j, 2]
+            square = dx * dx + dy * dy + dz * dz
+            if i == j or square > reach * reach:
+                continue
+            correlation = math.exp(-((math.sqrt(square) / length) ** exponent))
+            for a in range(m):
+                mixed[a] += correlation * rows[j, a]
+        for a in range(m):
+            for b in range(m):
+                out[a, b] += rows[i, a] * mixed[b]
 
 
 def adjust(
@@ -411,7 +594,7 @@ def adjust(
     Raises
     ------
     InputError
-        Fewer usable points than parameters, or points that are not finite.
+        Points that are not finite, or fewer points near the unit than parameters.
     """
     options = options or AdjustmentOptions()
     xyz = np.ascontiguousarray(points, dtype=np.float64)
@@ -427,150 +610,289 @@ def adjust(
         raise ValueError(f"covariances must be ({n}, 3, 3), got {cov.shape}")
     given = np.zeros(0, dtype=np.int64) if legs is None else np.ascontiguousarray(legs, dtype=np.int64)
     if legs is not None and (given.shape != (n,) or given.max(initial=0) > 3):
-        raise ValueError("legs must be (n,) numbers 0..3, or -1")
+        raise ValueError(f"legs must be ({n},) numbers 0..3, or -1")
     return _Solver(xyz, unit, pose, options, cov, given).solve()
 
 
+def beam_covariances(points: ArrayLike, sensors: ArrayLike, range_sd: float, angle_sd: float) -> FloatArray:
+    """(n, 3, 3) covariance of points measured along beams, square metres.
+
+    Parameters
+    ----------
+    points
+        (n, 3) metres.
+    sensors
+        (3,) or (n, 3) position of the sensor at the time of each point, in the same frame.
+    range_sd
+        Standard deviation along the beam, metres.
+    angle_sd
+        Standard deviation of each of the two directions, radians.
+    """
+    beams = np.asarray(points, dtype=np.float64) - np.asarray(sensors, dtype=np.float64)
+    ranges = np.linalg.norm(beams, axis=1)
+    if (ranges == 0).any():
+        raise ValueError("a point coincides with its sensor")
+    directions = beams / ranges[:, None]
+    along = directions[:, :, None] * directions[:, None, :]
+    return np.asarray(range_sd**2 * along + ((angle_sd * ranges) ** 2)[:, None, None] * (np.eye(3) - along))
+
+
 class _Solver:
-    """State of one adjustment; a class only because the passes share a dozen work arrays."""
+    """State of one adjustment; a class because its steps share a dozen work arrays."""
 
     def __init__(self, xyz: FloatArray, unit: UnitType, pose: Pose, options: AdjustmentOptions, cov: FloatArray, given: IntArray) -> None:
         n = len(xyz)
-        # the reduction to the centroid keeps the rotation's columns of the normal equations well scaled
-        self.origin = xyz.mean(axis=0)
-        self.xyz = np.ascontiguousarray(xyz - self.origin)
-        self.unit, self.options, self.cov, self.given = unit, options, cov, given
-        self.centre = np.array(pose.centre - self.origin)
-        self.rotation = np.array(pose.rotation)
+        self.xyz, self.unit, self.options, self.cov, self.given = xyz, unit, options, cov, given
+        self.centre, self.rotation = np.array(pose.centre), np.array(pose.rotation)
+        self.nominal = np.array([unit.radius, unit.gradient])
         self.shape = np.array([unit.radius, unit.gradient, unit.leg_length])
+        self.leg_errors = np.zeros(4)
         self.axes = np.ascontiguousarray(unit.leg_directions)
-        self.normal, self.rhs = np.zeros((8, 8)), np.zeros(8)
+        self.normal, self.plain, self.shared, self.shared_scores = (np.zeros((12, 12)) for _ in range(4))
+        self.rhs = np.zeros(12)
         self.legs, self.parts = np.zeros(n, dtype=np.int64), np.zeros(n, dtype=np.int64)
         self.residuals, self.sds, self.biases, self.weights = np.zeros(n), np.ones(n), np.zeros(n), np.zeros(n)
-        self.rows = np.zeros((n, 8))
+        self.rows, self.feet = np.zeros((n, 12)), np.zeros((n, 3))
+        self.opened = np.ones(4, dtype=np.bool_)
         self.discs = np.full(4, options.end_discs is True)
-        self.free = np.array([True] * 6 + [options.radius_sd > 0, options.gradient_sd > 0])
-        self.units = np.array([unit.leg_length] * 3 + [1.0] * 3 + [unit.leg_length, 1.0])
-
-    def linearise(self, scale: float, noise: float, tukey: float) -> tuple[float, float]:
-        square_sum, weight_sum = _pass(
-            self.xyz, self.centre, self.rotation, self.axes, self.shape, self.cov, self.given, self.discs, scale, noise,
-            self.options.tip * self.unit.leg_length if self.options.tip < 1 else math.inf, self.options.joint, tukey,
-            self.normal, self.rhs, self.legs, self.parts, self.residuals, self.sds, self.biases, self.weights, self.rows,
-        )  # fmt: skip
-        for k, sd, nominal in ((6, self.options.radius_sd, self.unit.radius), (7, self.options.gradient_sd, self.unit.gradient)):
-            if 0 < sd < math.inf:
-                self.normal[k, k] += 1 / sd**2
-                self.rhs[k] += (nominal - self.shape[k - 6]) / sd**2
-        return square_sum, weight_sum
-
-    def standardised(self) -> FloatArray:
-        return (self.residuals - self.biases) / self.sds
-
-    def robust_scale(self) -> float:
-        u = np.abs(self.standardised())
-        u = u[np.isfinite(u)]
-        return float(1.4826 * np.median(u)) if len(u) else 0.0
-
-    def decompose(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Eigenvalues, eigenvectors and scaling of the normal matrix of the free parameters, in like units."""
-        scaling = self.units[self.free]
-        values, vectors = np.linalg.eigh(self.normal[np.ix_(self.free, self.free)] * np.outer(scaling, scaling))
-        return values, vectors, scaling
-
-    def step(self) -> tuple[FloatArray, float]:
-        values, vectors, scaling = self.decompose()
-        usable = values > _RANK_LIMIT * values[-1]
-        along = vectors.T @ (scaling * self.rhs[self.free])
-        inner = np.where(usable, along / np.where(usable, values, 1.0), 0.0)
-        # decrease of the target in units of its variance: below 1e-6 no parameter moves by 1e-3 of its deviation
-        gain = float(np.sum(inner * along))
-        change = np.zeros(8)
-        change[self.free] = scaling * (vectors @ inner)
-        size = max(
-            np.linalg.norm(change[:3]) / (0.25 * self.unit.radius),
-            np.linalg.norm(change[3:6]) / 0.15,
-            abs(change[6]) / (0.1 * self.unit.radius),
-            abs(change[7]) / 0.1,
-            1.0,
-        )
-        return change / size, gain
-
-    def move(self, change: FloatArray) -> None:
-        turn = Rotation.from_rotvec(change[3:6]).as_matrix()
-        self.centre = self.centre + change[:3]
-        self.rotation = np.ascontiguousarray(turn @ self.rotation)
-        u, _, vt = np.linalg.svd(self.rotation)
-        self.rotation = np.ascontiguousarray(u @ vt)
-        self.shape[:2] += change[6:]
-        # a cone that closes before the end of the leg has no meaning; the step stays short of it
-        self.shape[0] = max(self.shape[0], 0.2 * self.unit.radius)
-        self.shape[1] = min(max(self.shape[1], 0.0), 0.95 * self.shape[0] / self.unit.leg_length)
+        self.edge = EDGE_RATIO * unit.height if options.edge is None else options.edge
+        self.tip = options.tip * unit.leg_length if options.tip < 1 else math.inf
+        self.scaling = np.array([unit.leg_length] * 3 + [1.0] * 3 + [unit.leg_length, 1.0] + [unit.leg_length] * 4)
+        length_sd = 0.003 * unit.leg_length if options.leg_length_sd is None else options.leg_length_sd
+        self.prior_sd = np.array([math.inf] * 6 + [options.radius_sd, options.gradient_sd] + [length_sd] * 4)
+        self.floor = 1e-7 * unit.height if not len(cov) else 1e-7
 
     def solve(self) -> Adjustment:
         options = self.options
-        floor = 1e-7 * self.unit.height
-        tukey = TUKEY_CONSTANT if options.robust else 0.0
-        self.linearise(1.0, 0.02 * self.unit.height if options.sigma is None else options.sigma, 0.0)
-        scale = self._scale(floor)
-        converged = False
+        start = 0.02 * self.unit.height
+        if len(self.cov):
+            start /= math.sqrt(float(np.mean(np.trace(self.cov, axis1=1, axis2=2))) / 3)
+        self.linearise(start, redescend=False)
+        scale = self.median_scale()
+        coarse, converged = True, False
         iteration = 0
-        for iteration in range(1, options.max_iterations + 1):
-            self.linearise(scale, scale, tukey)
-            change, gain = self.step()
-            self.move(change)
-            new_scale = self._scale(floor)
-            steady = abs(new_scale - scale) < 1e-3 * scale
-            scale = new_scale
-            if gain < 1e-6 and steady:
+        while iteration < options.max_iterations:
+            iteration += 1
+            squares, weight_sum = self.linearise(scale, redescend=self.options.robust)
+            if weight_sum < MIN_POINTS:
+                raise InputError(
+                    "too few points lie near the unit's surface to adjust it", remedy="check the approximate pose and the unit's height"
+                )
+            gain = self.step()
+            if coarse:
+                if gain < 0.1:
+                    coarse = False
+                    if options.end_discs == "auto":
+                        self.find_discs(scale)
+                previous, scale = scale, self.median_scale()
+            else:
+                previous, scale = scale, self.refined_scale(scale, squares, weight_sum)
+            if not coarse and gain < 1e-3 and abs(scale - previous) < 2e-3 * previous:
+                if self.close_legs(scale):
+                    continue
                 converged = True
                 break
-        self.linearise(scale, scale, tukey)
-        return self._result(scale, converged, iteration)
+        return self.result(scale, converged, iteration)
 
-    def _scale(self, floor: float) -> float:
-        if self.options.sigma is not None:
-            # a known noise still needs a wide start while the pose is rough
-            return max(self.options.sigma, floor)
-        return max(self.robust_scale(), floor)
+    def linearise(self, scale: float, *, redescend: bool, final: bool = False) -> tuple[float, float]:
+        """Refresh the normal equations; returns the weighted sum of squares and the sum of weights."""
+        noise = scale if self.options.sigma is None else self.options.sigma
+        squares, weight_sum, self.psi_squares, self.slopes, self.singles = _pass(
+            self.xyz, self.centre, self.rotation, self.axes, self.shape, self.unit.leg_length + self.leg_errors, self.cov, self.given,
+            self.opened, self.discs, scale, scale, noise if self.options.bias_correction else 0.0, self.tip, self.edge, redescend, final,
+            self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
+            self.biases, self.weights, self.rows, self.feet,
+        )  # fmt: skip
+        weighted = self.prior_weights()
+        self.normal[np.diag_indices(12)] += weighted
+        self.rhs[6:8] += weighted[6:8] * (self.nominal - self.shape[:2])
+        self.rhs[8:] -= weighted[8:] * self.leg_errors
+        return float(squares), float(weight_sum)
 
-    def _result(self, scale: float, converged: bool, iterations: int) -> Adjustment:
-        values, vectors, scaling = self.decompose()
-        usable = values > _RANK_LIMIT * values[-1]
-        lost = (scaling[:, None] * vectors[:, ~usable]).T
-        kept = vectors[:, usable]
-        cofactor = np.zeros((8, 8))
-        cofactor[np.ix_(self.free, self.free)] = (kept / values[usable]) @ kept.T * np.outer(scaling, scaling)
-        used = self.weights > 0
-        weight_sum = float(self.weights.sum())
-        parameters = int(self.free.sum()) - int((~usable).sum())
-        noise = float(scale * np.sqrt(np.mean(self.sds[used] ** 2))) if used.any() else math.nan
-        influence = self.weights / (scale * self.sds) ** 2 * np.einsum("ij,jk,ik->i", self.rows, cofactor, self.rows)
-        redundancy_numbers = np.where(used, np.clip(1 - influence, 0, 1), 0.0)
-        undetermined = np.zeros((len(lost), 8))
-        undetermined[:, self.free] = lost / self.units[self.free]
-        covariance = cofactor.copy()
-        for direction in undetermined:
-            full = direction * self.units
-            covariance += LOST_TURN**2 * np.outer(full, full)
-        n_effective = weight_sum
+    def prior_weights(self) -> FloatArray:
         with np.errstate(divide="ignore"):
-            detectable = np.where(redundancy_numbers > 0, NONCENTRALITY * scale * self.sds / np.sqrt(redundancy_numbers), math.inf)
-        counts = np.bincount(self.legs[used & (self.parts == LATERAL)], minlength=4)
-        visible = int(np.sum(counts >= max(MIN_POINTS, 0.03 * used.sum())))
-        flags = _flags(visible, undetermined, bool(used.any() and (self.parts[used] == END_DISC).all()))
+            return np.where((self.prior_sd > 0) & np.isfinite(self.prior_sd), 1 / self.prior_sd**2, 0.0)
+
+    def free(self) -> NDArray[np.bool_]:
+        return np.concatenate([self.prior_sd[:8] > 0, self.discs])
+
+    def step(self) -> float:
+        """Make one Gauss-Newton step, no longer than a leg's width; returns its squared length in standard deviations."""
+        free = self.free()
+        scaling = self.scaling[free]
+        matrix = self.normal[np.ix_(free, free)] * np.outer(scaling, scaling)
+        # the damping only holds still what the points do not determine; at convergence it has no effect
+        damped = matrix + np.eye(len(scaling)) / DETERMINED**2
+        along = scaling * self.rhs[free]
+        inner = np.linalg.solve(damped, along)
+        change = np.zeros(12)
+        change[free] = scaling * inner
+        longest = max(
+            float(np.linalg.norm(change[:3])) / (0.25 * self.unit.radius),
+            float(np.linalg.norm(change[3:6])) / 0.15,
+            abs(change[6]) / (0.1 * self.unit.radius),
+            abs(change[7]) / 0.05,
+            1.0,
+        )
+        change /= longest
+        self.centre = self.centre + change[:3]
+        self.rotation = np.ascontiguousarray(Rotation.from_rotvec(change[3:6]).as_matrix() @ self.rotation)
+        self.shape[:2] += change[6:8]
+        # a cone that closes before the end of its leg has no meaning
+        self.shape[0] = max(self.shape[0], 0.2 * self.unit.radius)
+        self.shape[1] = min(max(self.shape[1], 0.0), 0.95 * self.shape[0] / self.unit.leg_length)
+        self.leg_errors += change[8:]
+        return float(along @ inner)
+
+    def standardised(self) -> FloatArray:
+        return np.asarray((self.residuals - self.biases) / self.sds)
+
+    def median_scale(self) -> float:
+        u = np.abs(self.standardised())
+        u = u[np.isfinite(u)]
+        scale = 1.4826 * float(np.median(u)) if len(u) else 0.0
+        # a known noise still needs a wide start while the pose is rough
+        return max(scale, self.options.sigma or self.floor)
+
+    def refined_scale(self, scale: float, squares: float, weight_sum: float) -> float:
+        if self.options.sigma is not None:
+            return self.options.sigma
+        if not self.options.robust:
+            free = float(self.free().sum())
+            return max(scale * math.sqrt(squares / max(weight_sum - free, 1.0)), self.floor)
+        return max(scale * math.sqrt(squares / weight_sum / _SCALE_CONSISTENCY), self.floor)
+
+    def find_discs(self, scale: float) -> None:
+        """Use the end disc of a leg where the points show a plane at the nominal length: many, thin, and in the right place."""
+        body = (self.xyz - self.centre) @ self.rotation
+        length, tolerance = self.unit.leg_length, self.prior_sd[8]
+        noise = scale * float(np.mean(self.sds[np.isfinite(self.residuals)]))
+        rim = self.shape[0] - self.shape[1] * length - self.edge
+        for k in range(4):
+            beyond = body @ self.axes[k] - length
+            across = np.linalg.norm(body - (beyond + length)[:, None] * self.axes[k], axis=1)
+            near = (across < rim) & (np.abs(beyond) < (1 - TIP_RATIO) * length + 3 * noise)
+            if len(self.given):
+                near &= self.given == k
+            if near.sum() < 2 * MIN_POINTS:
+                continue
+            middle = float(np.median(beyond[near]))
+            spread = 1.4826 * float(np.median(np.abs(beyond[near] - middle)))
+            off = 4 * math.hypot(tolerance, 1.5 * noise / math.sqrt(near.sum()))
+            self.discs[k] = spread < 1.5 * noise and abs(middle) < off
+
+    def close_legs(self, scale: float) -> bool:
+        """Shut legs that own no points beyond doubt: what a crease shares with them says nothing about where they are."""
+        if len(self.given):
+            return False
+        spread = scale * self.sds
+        lean = np.sort(((self.xyz - self.centre) @ self.rotation) @ self.axes[self.opened].T, axis=1)
+        clear = (self.weights > 0.5) & ((lean[:, -1] - lean[:, -2] > 4 * spread) if lean.shape[1] > 1 else True)
+        used = float((self.weights > 0).sum())
+        counts = np.bincount(self.legs[clear], minlength=4)
+        keep = self.opened & (counts >= max(MIN_POINTS, 0.01 * used))
+        if not keep.any() or (keep == self.opened).all():
+            return False
+        self.opened, self.discs = keep, self.discs & keep
+        return True
+
+    def result(self, scale: float, converged: bool, iterations: int) -> Adjustment:
+        squares, weight_sum = self.linearise(scale, redescend=self.options.robust, final=True)
+        excess = np.zeros((12, 12))
+        _row_excess(
+            self.feet, self.legs, self.parts, self.weights, self.sds, self.rotation, self.axes, self.shape, self.cov, scale, scale, excess
+        )
+        free = self.free()
+        scaling = self.scaling[free]
+        prior = np.diag(self.prior_weights())
+        slope = self.slopes / max(self.singles, 1.0)
+        bread = (slope * self.plain + self.shared - excess + prior)[np.ix_(free, free)] * np.outer(scaling, scaling)
+        count = max(float((self.weights > 0).sum()), 1.0)
+        small_sample = count / max(count - free[:8].sum(), 1.0)
+        psi = small_sample * self.psi_squares / max(self.singles, 1.0)
+        noise_part = psi * self.plain + small_sample * self.shared_scores
+        values, vectors = np.linalg.eigh(bread)
+        determined = values > 1 / DETERMINED**2
+        kept = vectors[:, determined]
+        inverse = (kept / values[determined]) @ kept.T
+        white = np.zeros((12, 12))
+        white[np.ix_(free, free)] = inverse * np.outer(scaling, scaling)
+        correlated = self.correlated_part(white, psi)
+        covariance = (white @ (noise_part + correlated + prior) @ white)[:8, :8]
+        uncorrelated = white @ (noise_part + prior) @ white
+        shapes = np.sqrt(np.maximum(np.diag(uncorrelated)[:8], 0)), np.sqrt(np.maximum(np.diag(covariance), 0))
+        seen = shapes[0] > 0
+        inflation = float(np.mean((shapes[1][seen] / shapes[0][seen]) ** 2)) if seen.any() else 1.0
+        undetermined = np.zeros(((~determined).sum(), 12))
+        undetermined[:, free] = vectors[:, ~determined].T
+        undetermined = undetermined[np.linalg.norm(undetermined[:, :8], axis=1) > 0.1, :8]
+        lost = undetermined * self.scaling[:8]
+        covariance += LOST**2 * lost.T @ lost
+        used = self.weights > 0
+        influence = self.weights * np.einsum("ij,jk,ik->i", self.rows, white, self.rows) if used.any() else np.zeros(len(self.xyz))
+        redundancy_numbers = np.where(used, np.clip(1 - influence, 0.0, 1.0), 0.0)
+        with np.errstate(divide="ignore"):
+            detectable = NONCENTRALITY * scale * self.sds / np.sqrt(redundancy_numbers)
+        noise = scale if self.options.sigma is None else scale * math.sqrt(squares / max(weight_sum, 1e-300) / self.consistency())
+        owned = np.bincount(self.legs[used & (self.parts == LATERAL)], minlength=4)
+        visible = int(np.sum(owned >= max(MIN_POINTS, 0.01 * used.sum())))
+        mean_sd = math.sqrt(float(np.mean(self.sds[used] ** 2))) if used.any() else math.nan
+        a_priori = self.options.sigma or (1.0 if len(self.cov) else noise)
         return Adjustment(
-            Pose(self.centre + self.origin, self.rotation), float(self.shape[0]), float(self.shape[1]), covariance,
-            1.0 if self.options.sigma is None else scale / self.options.sigma, noise, weight_sum - parameters, redundancy_numbers, detectable,
-            self.weights.copy(), np.where(used, self.legs, -1), self.parts.copy(), self.residuals.copy(), n_effective, converged, iterations,
-            undetermined, visible, flags,
+            Pose(self.centre, self.rotation), float(self.shape[0]), float(self.shape[1]), covariance, noise / a_priori, noise * mean_sd,
+            float(weight_sum - np.sum(influence)), redundancy_numbers, detectable, self.weights.copy(), np.where(used, self.legs, -1),
+            self.parts.copy(), self.residuals.copy(), float(weight_sum / inflation), converged, iterations, undetermined, visible,
+            _flags(visible, len(undetermined), bool(used.any() and (self.parts[used] == END_DISC).all())),
         )  # fmt: skip
 
+    def consistency(self) -> float:
+        return _SCALE_CONSISTENCY if self.options.robust else 1.0
 
-_RANK_LIMIT = 1e-10
+    def correlated_part(self, white: FloatArray, psi: float) -> FloatArray:
+        """(12, 12) what the correlation between residuals of neighbouring points adds to the expected outer product of the scores.
+
+        A covariance function s exp(-(h / l)^p), p = 1 or 2, is fitted to the products of residuals by distance; it counts only where it
+        stands out of what white noise would show.
+        """
+        used = np.flatnonzero(self.weights > 0.05)
+        nothing = np.zeros((12, 12))
+        if len(used) < 10 * MIN_POINTS or psi <= 0:
+            return nothing
+        chosen = used[:: math.ceil(len(used) / CORRELATION_SAMPLE)]
+        thinning = len(used) / len(chosen)
+        u = self.standardised()[chosen]
+        u = u * self.weights[chosen] / math.sqrt(float(np.mean((u * self.weights[chosen]) ** 2)))
+        # distances between adjusted observations: those between noisy points depend on the residuals
+        points, rows = np.ascontiguousarray(self.feet[chosen]), np.ascontiguousarray(self.rows[chosen])
+        roots = np.linalg.eigh(white)
+        whitened = np.ascontiguousarray(rows @ (roots[1] * np.sqrt(np.maximum(roots[0], 0))))
+        lags = _LAGS * self.unit.height
+        sums, expected, counts = (np.zeros(len(lags) - 1) for _ in range(3))
+        _lag_products(points, u, whitened, lags, sums, expected, counts)
+        usable = counts > 0
+        if not usable.any():
+            return nothing
+        middle = 0.5 * (lags[1:] + lags[:-1])[usable]
+        counts = counts[usable]
+        # the fit takes a little of every pair's product away; without correlation its expectation is not zero but this
+        products = (sums[usable] - expected[usable]) / counts
+        best = (0.0, 0.0, 0.0, 0.0)
+        for exponent in (1.0, 2.0):
+            for length in np.geomspace(0.01, 0.2, 14) * self.unit.height:
+                form = np.exp(-((middle / length) ** exponent))
+                strength = float(np.sum(counts * form * products) / np.sum(counts * form**2))
+                deviations = strength * math.sqrt(float(np.sum(counts * form**2)))
+                if deviations > best[0]:
+                    best = (deviations, min(strength, 1.0), float(length), exponent)
+        deviations, strength, length, exponent = best
+        if deviations < 3.0:
+            return nothing
+        pairs = np.zeros((12, 12))
+        _pair_products(points, rows, length, exponent, length * (5.0 if exponent == 1 else 2.5), pairs)
+        return np.asarray(psi * strength * thinning**2 * pairs)
 
 
-def _flags(visible: int, undetermined: FloatArray, discs_only: bool) -> tuple[str, ...]:
+def _flags(visible: int, undetermined: int, discs_only: bool) -> tuple[str, ...]:
     flags = []
     if discs_only:
         flags.append("end discs only")
@@ -578,6 +900,6 @@ def _flags(visible: int, undetermined: FloatArray, discs_only: bool) -> tuple[st
         flags.append("one leg: twist about its axis undetermined")
     elif visible == 2:
         flags.append("two legs")
-    if len(undetermined) > (1 if visible == 1 else 0):
-        flags.append(f"{len(undetermined)} directions undetermined")
+    if undetermined > (1 if visible == 1 else 0):
+        flags.append(f"{undetermined} directions undetermined")
     return tuple(flags)
