@@ -1,0 +1,356 @@
+"""What is done in one block: find the units, and adjust each to its points. Results are arrays that depend on files alone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import InputError
+from .pose import Pose
+from .survey import Ring, SurveyUnit, inside
+from .tile_jobs import HALO_HEIGHTS, MARGIN_HEIGHTS, Arrays, Block, job_key, load_arrays
+from .tiles import PointCloud, Window, read_points
+from .unit_types import UnitType
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+SAME_UNIT_HEIGHTS = 0.4
+"""Two found units whose centres are nearer than this are one unit: solid tetrapods cannot come nearer than about 0.5 H."""
+NEAR_FEATURE_HEIGHTS = 0.15
+"""A feature point counts as observed if each of its legs holds points this near to it."""
+OBSERVED_CENTRE_COVERAGE = 0.05
+RADIUS_TOLERANCE, GRADIENT_TOLERANCE = 0.01, 0.01
+"""Standard deviation of a unit's radius (relative) and gradient about the nominal shape, as prior observations."""
+
+
+@dataclass(frozen=True)
+class SegmentJob:
+    """Find the units of one block.
+
+    Attributes
+    ----------
+    block
+        Where; units centred in its core, or just outside, are reported.
+    survey_crs, tiles_crs
+        As in survey.toml.
+    units
+        Types of unit to look for.
+    seed
+        Of the random draws.
+    checksums
+        Of the block's tiles.
+    given
+        Rows of :func:`pose_rows` with the poses of units that are known already (absolute centres); None looks for units.
+    """
+
+    block: Block
+    survey_crs: str
+    tiles_crs: str | None
+    units: tuple[SurveyUnit, ...]
+    seed: int
+    checksums: tuple[str, ...]
+    given: tuple[tuple[float, ...], ...] | None = None
+
+    @property
+    def name(self) -> str:
+        """File name of the result."""
+        settings = {
+            "crs": self.survey_crs,
+            "tiles_crs": self.tiles_crs,
+            "core": [repr(v) for v in (self.block.core.west, self.block.core.south, self.block.core.east, self.block.core.north)],
+            "units": repr(self.units),
+            "seed": self.seed,
+            "given": self.given,
+        }
+        return f"segment-{job_key('segment', settings, self.checksums)}.npz"
+
+    def run(self) -> Arrays:
+        """Arrays of the block's units: see :func:`unit_arrays`."""
+        height = max(unit.type.height for unit in self.units)
+        cloud = read_points(
+            self.block.tiles, self.survey_crs, window=self.block.core.grown(HALO_HEIGHTS * height), tiles_crs=self.tiles_crs
+        )
+        if self.given is None:
+            found = [_found(cloud, k, unit, self.seed) for k, unit in enumerate(self.units)]
+            table, labels = _best_types(found, self.units)
+        else:
+            table, labels = _given(cloud, self.given, self.units)
+        margin = self.block.core.grown(MARGIN_HEIGHTS * height)
+        keep = margin.contains(table["poses"][:, :3] + cloud.origin)
+        return unit_arrays(cloud, {name: values[keep] for name, values in table.items()}, labels, np.flatnonzero(keep))
+
+
+@dataclass(frozen=True)
+class FitJob:
+    """Adjust units of one block to their points.
+
+    Attributes
+    ----------
+    segmented
+        Result of the block's :class:`SegmentJob`.
+    rows
+        Which of its units.
+    units
+        Geometry by type, calibrated where that was asked for.
+    radius_sd, gradient_sd
+        Standard deviations of shape as prior observations, relative and absolute; 0 holds the shape.
+    """
+
+    segmented: Path
+    rows: tuple[int, ...]
+    units: tuple[UnitType, ...]
+    radius_sd: float
+    gradient_sd: float
+
+    @property
+    def name(self) -> str:
+        """File name of the result."""
+        settings = {"rows": self.rows, "units": repr(self.units), "sds": [repr(self.radius_sd), repr(self.gradient_sd)]}
+        return f"fit-{job_key('fit', settings, [self.segmented.name])}.npz"
+
+    def run(self) -> Arrays:
+        """Arrays of the units with their adjustment, points included."""
+        from .feature_points import TRIPLES, body_features
+        from .gauss_helmert import AdjustmentOptions, adjust
+        from .tetrapod import END_DISC
+
+        source = load_arrays(self.segmented)
+        if source is None:
+            raise InputError("is missing or damaged", source=self.segmented, remedy="Run again; finished blocks are kept with --resume.")
+        table = {name: source[name][list(self.rows)] for name in SEGMENT_COLUMNS}
+        count = len(self.rows)
+        table |= {
+            "shape": np.zeros((count, 2)),
+            "covariance": np.full((count, 8, 8), np.nan),
+            "sigma0": np.full(count, np.nan),
+            "noise": np.full(count, np.nan),
+            "n_points": np.zeros(count, dtype=np.int64),
+            "n_effective": np.zeros(count),
+            "observed": np.zeros((count, 5), dtype=np.bool_),
+            "discs": np.zeros((count, 4), dtype=np.bool_),
+            "converged": np.zeros(count, dtype=np.bool_),
+            "determined": np.zeros(count, dtype=np.bool_),
+        }
+        parts, sources, sizes = [], [], []
+        for k, row in enumerate(self.rows):
+            own = slice(source["offsets"][row], source["offsets"][row + 1])
+            points = source["points"][own]
+            unit = self.units[int(table["type"][k])]
+            table["shape"][k] = unit.radius, unit.gradient
+            options = AdjustmentOptions(radius_sd=self.radius_sd * unit.radius, gradient_sd=self.gradient_sd)
+            used = np.ones(len(points), dtype=np.bool_)
+            try:
+                result = adjust(points, unit, _pose(table["poses"][k]), options=options)
+            except InputError:
+                # too little is seen of it for an adjustment: it stays as segmented, as uncertain evidence without covariance
+                table["status"][k] = "uncertain"
+            else:
+                table["poses"][k] = _row(result.pose)
+                table["shape"][k] = result.radius, result.gradient
+                table["covariance"][k] = result.covariance
+                table["sigma0"][k], table["noise"][k], table["n_effective"][k] = result.sigma0, result.noise, result.n_effective
+                table["converged"][k] = result.converged
+                table["determined"][k] = len(result.undetermined) == 0
+                table["legs_visible"][k] = result.legs_visible
+                used = result.weights > 0
+                table["n_points"][k] = int(used.sum())
+                features = result.pose.to_frame(body_features(result.unit(unit)))
+                for j, triple in enumerate(TRIPLES, start=1):
+                    away = np.linalg.norm(points - features[j], axis=1)
+                    near = result.legs[(away < NEAR_FEATURE_HEIGHTS * unit.height) & (result.legs >= 0)]
+                    table["observed"][k, j] = set(triple) <= set(near.tolist())
+                table["observed"][k, 0] = table["coverage"][k] >= OBSERVED_CENTRE_COVERAGE
+                on_disc = result.legs[used & (result.parts == END_DISC)]
+                table["discs"][k] = np.bincount(on_disc[on_disc >= 0], minlength=4) > 0
+            parts.append(points)
+            sources.append(source["sources"][own])
+            sizes.append(len(points))
+        return table | {
+            "origin": source["origin"],
+            "points": np.concatenate(parts) if parts else np.empty((0, 3)),
+            "sources": np.concatenate(sources) if sources else np.empty(0, np.uint16),
+            "offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
+        }
+
+
+SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit")
+"""Arrays of a block's units before adjustment, one row per unit."""
+
+
+def unit_arrays(cloud: PointCloud, table: Mapping[str, NDArray[Any]], labels: IntArray, numbers: IntArray) -> dict[str, NDArray[Any]]:
+    """Arrays of units with their points, sorted by unit.
+
+    Parameters
+    ----------
+    cloud
+        Points of the block.
+    table
+        ``SEGMENT_COLUMNS``: ``poses`` (k, 12) reduced centre and row-major rotation, ``type`` index of the type, and so on.
+    labels
+        (n,) number of the unit of each point, or -1.
+    numbers
+        (k,) number of each row of the table.
+
+    Returns
+    -------
+    arrays
+        The table, ``origin`` (3,), ``points`` (m, 3) reduced, ``sources`` (m,), and ``offsets`` (k + 1,): points of row i are
+        ``points[offsets[i]:offsets[i + 1]]``.
+    """
+    rows = np.full(int(labels.max(initial=-1)) + 2, -1, dtype=np.int64)
+    rows[numbers] = np.arange(len(numbers))
+    row = rows[labels]
+    mine = np.flatnonzero(row >= 0)
+    mine = mine[np.argsort(row[mine], kind="stable")]
+    sizes = np.bincount(row[mine], minlength=len(numbers))
+    return {
+        **table,
+        "origin": cloud.origin,
+        "points": cloud.xyz[mine],
+        "sources": cloud.source_id[mine],
+        "offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
+    }
+
+
+def owners(blocks: Sequence[tuple[Window, Mapping[str, NDArray[Any]]]], heights: Sequence[float]) -> list[IntArray]:
+    """Rows of every block's units that are that block's own, so that a unit found by two blocks is kept once.
+
+    A unit belongs to the block whose core its centre lies in. One that its neighbour alone has found is kept too.
+
+    Parameters
+    ----------
+    blocks
+        Core and arrays of each block, in a fixed order.
+    heights
+        Nominal height of each type of unit, metres.
+    """
+    from scipy.spatial import cKDTree
+
+    centres = [arrays["poses"][:, :3] + arrays["origin"] for _, arrays in blocks]
+    count = [len(c) for c in centres]
+    if not sum(count):
+        return [np.empty(0, dtype=np.int64) for _ in blocks]
+    place = np.concatenate(centres)
+    block = np.repeat(np.arange(len(blocks)), count)
+    own = np.concatenate([core.contains(c) for (core, _), c in zip(blocks, centres, strict=True)])
+    height = np.array(heights)[np.concatenate([arrays["type"] for _, arrays in blocks])]
+    score = np.concatenate([arrays["score"] for _, arrays in blocks])
+    keep = np.ones(len(place), dtype=np.bool_)
+    pairs = cKDTree(place - place.mean(axis=0)).query_pairs(SAME_UNIT_HEIGHTS * float(height.max()), output_type="ndarray")
+    for i, j in pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]:
+        near = np.linalg.norm(place[i] - place[j]) < SAME_UNIT_HEIGHTS * max(height[i], height[j])
+        if not near or block[i] == block[j] or not (keep[i] and keep[j]):
+            continue
+        better = (bool(own[i]), float(score[i]), -int(block[i])) > (bool(own[j]), float(score[j]), -int(block[j]))
+        keep[j if better else i] = False
+    starts = np.concatenate([[0], np.cumsum(count)])
+    return [np.flatnonzero(keep[starts[k] : starts[k + 1]]) for k in range(len(blocks))]
+
+
+def _found(cloud: PointCloud, number: int, unit: SurveyUnit, seed: int) -> tuple[dict[str, NDArray[Any]], IntArray]:
+    from .segmentation import segment
+
+    result = segment(cloud.xyz, unit.type, seed=seed)
+    table = _table(
+        [_row(u.pose) for u in result.units],
+        [number] * len(result.units),
+        [u.score for u in result.units],
+        [u.coverage for u in result.units],
+        [u.legs_visible for u in result.units],
+        [u.status for u in result.units],
+        [u.misfit for u in result.units],
+    )
+    labels = result.labels
+    if unit.area is not None:
+        labels = _only_inside(table, labels, unit.area, cloud.origin)
+    return table, labels
+
+
+def _only_inside(table: dict[str, NDArray[Any]], labels: IntArray, area: Ring, origin: FloatArray) -> IntArray:
+    """Drop the units outside a type's area from the table; returns the labels of those that stay."""
+    keep = np.array([inside(area, *(pose[:2] + origin[:2])) for pose in table["poses"]], dtype=np.bool_)
+    number = np.append(np.where(keep, np.cumsum(keep) - 1, -1), -1)
+    for name in table:
+        table[name] = table[name][keep]
+    return np.asarray(number[labels], dtype=np.int64)
+
+
+def _best_types(
+    found: Sequence[tuple[dict[str, NDArray[Any]], IntArray]], units: Sequence[SurveyUnit]
+) -> tuple[dict[str, NDArray[Any]], IntArray]:
+    """Units of several types compete for their place: the better supported one stays."""
+    if len(found) == 1:
+        return found[0]
+    table = {name: np.concatenate([t[name] for t, _ in found]) for name in SEGMENT_COLUMNS}
+    shift = np.concatenate([[0], np.cumsum([len(t["type"]) for t, _ in found])])
+    labels = [np.where(own >= 0, own + shift[k], -1) for k, (_, own) in enumerate(found)]
+    points = np.concatenate([np.bincount(own[own >= 0], minlength=len(t["type"])) for t, own in found])
+    heights = np.array([unit.type.height for unit in units])[table["type"]]
+    kept: list[int] = []
+    for k in np.argsort(-table["score"] * points, kind="stable"):
+        away = np.linalg.norm(table["poses"][kept, :3] - table["poses"][k, :3], axis=1)
+        if (away >= SAME_UNIT_HEIGHTS * np.maximum(heights[kept], heights[k])).all():
+            kept.append(int(k))
+    number = np.full(len(table["type"]) + 1, -1, dtype=np.int64)
+    number[kept] = np.arange(len(kept))
+    merged = np.full(len(labels[0]), -1, dtype=np.int64)
+    for own in reversed(labels):
+        merged = np.where(number[own] >= 0, number[own], merged)
+    return {name: values[kept] for name, values in table.items()}, merged
+
+
+def _given(cloud: PointCloud, given: Sequence[tuple[float, ...]], units: Sequence[SurveyUnit]) -> tuple[dict[str, NDArray[Any]], IntArray]:
+    """Units whose poses are known: each point goes to the unit whose surface is nearest."""
+    from .aggregation import assign
+    from .surface_elements import surface_elements
+
+    rows = np.array(given, dtype=np.float64).reshape(-1, 13)
+    poses = rows[:, 1:].copy()
+    poses[:, :3] -= cloud.origin
+    kinds = rows[:, 0].astype(np.int64)
+    labels = np.full(len(cloud), -1, dtype=np.int64)
+    best = np.full(len(cloud), np.inf)
+    for kind in np.unique(kinds):
+        unit = units[kind].type
+        members = np.flatnonzero(kinds == kind)
+        noise = surface_elements(cloud.xyz, unit.height).noise if len(cloud) >= 50 else 0.0
+        own, distance = assign(cloud.xyz, poses[members], unit, max(3.5 * noise, 0.02 * unit.height))
+        nearer = (own >= 0) & (np.abs(distance) < best)
+        labels[nearer], best[nearer] = members[own[nearer]], np.abs(distance[nearer])
+    count = len(rows)
+    unknown = [float("nan")] * count
+    return _table(list(poses), list(kinds), unknown, unknown, [0] * count, ["found"] * count, unknown), labels
+
+
+def _table(
+    poses: Sequence[FloatArray],
+    kinds: Sequence[int],
+    scores: Sequence[float],
+    coverages: Sequence[float],
+    legs: Sequence[int],
+    statuses: Sequence[str],
+    misfits: Sequence[float],
+) -> dict[str, NDArray[Any]]:
+    return {
+        "poses": np.array(poses, dtype=np.float64).reshape(-1, 12),
+        "type": np.array(kinds, dtype=np.int64),
+        "score": np.array(scores, dtype=np.float64),
+        "coverage": np.array(coverages, dtype=np.float64),
+        "legs_visible": np.array(legs, dtype=np.int64),
+        "status": np.array(statuses, dtype="U12"),
+        "misfit": np.array(misfits, dtype=np.float64),
+    }
+
+
+def _row(pose: Pose) -> FloatArray:
+    return np.concatenate([pose.centre, pose.rotation.ravel()])
+
+
+def _pose(row: FloatArray) -> Pose:
+    return Pose(row[:3], row[3:].reshape(3, 3))

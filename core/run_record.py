@@ -1,0 +1,96 @@
+"""What a result was computed from: checksums of all inputs, settings, versions and seed. Nothing in it depends on the machine or
+the moment, so that equal inputs give equal records."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cache
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+from .schema import FORMAT_VERSION
+from .survey import Epoch, Survey
+from .tile_jobs import software_fingerprint
+from .tiles import checksum
+
+LIBRARIES = ("numpy", "scipy", "numba", "open3d", "laspy", "lazrs", "pyproj")
+"""Libraries whose version can change a result."""
+
+
+@cache
+def software_version() -> str:
+    """Version of tetratrack, from the installed package or the checkout's pyproject.toml."""
+    try:
+        return metadata.version("tetratrack")
+    except metadata.PackageNotFoundError:
+        import tomllib
+
+        project = Path(__file__).resolve().parents[1] / "pyproject.toml"
+        return str(tomllib.loads(project.read_text(encoding="utf-8"))["project"]["version"])
+
+
+@dataclass(frozen=True)
+class RunRecord:
+    """Inputs of one run.
+
+    Attributes
+    ----------
+    checksums
+        SHA-256 by file: survey.toml, tiles and CSV files.
+    seed
+        Of the random draws.
+    settings
+        Everything else that was chosen, as JSON values.
+    """
+
+    checksums: Mapping[Path, str]
+    seed: int
+    settings: Mapping[str, Any]
+
+    def of_epoch(self, epoch: Epoch, extra: Mapping[str, Any]) -> str:
+        """JSON for ``epochs.settings``: the run's settings, one epoch's inputs and ``extra`` values."""
+        files = [*epoch.tiles, *(path for path in (epoch.control, epoch.targets, epoch.check) if path is not None)]
+        record = {
+            "software": f"tetratrack {software_version()}",
+            "code": software_fingerprint(),
+            "format": FORMAT_VERSION,
+            "libraries": library_versions(),
+            "seed": self.seed,
+            **self.settings,
+            **extra,
+            "inputs": [{"name": path.name, "sha256": self.checksums[path]} for path in files],
+        }
+        return json.dumps(record, sort_keys=True)
+
+
+def record_run(survey: Survey, seed: int, settings: Mapping[str, Any]) -> RunRecord:
+    """Checksum all inputs of a survey.
+
+    Raises
+    ------
+    InputError
+        A file cannot be read.
+    """
+    files = [survey.path]
+    for epoch in survey.epochs:
+        files += [*epoch.tiles, *(path for path in (epoch.control, epoch.targets, epoch.check) if path is not None)]
+    files = list(dict.fromkeys(files))
+    # reading is what takes the time, and hashing releases the interpreter's lock
+    with ThreadPoolExecutor(4) as pool:
+        sums = list(pool.map(checksum, files))
+    return RunRecord(dict(zip(files, sums, strict=True)), seed, settings)
+
+
+def library_versions() -> dict[str, str]:
+    """Installed version by library, of those that can change a result."""
+    versions = {}
+    for name in LIBRARIES:
+        try:
+            versions[name] = metadata.version(name)
+        except metadata.PackageNotFoundError:
+            versions[name] = "absent"
+    return versions
