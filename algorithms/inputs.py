@@ -1,0 +1,381 @@
+"""Inputs that several algorithms share: their parameters, their checks, and how they become the engine's survey.toml."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    Qgis,
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsFeatureRequest,
+    QgsGeometry,
+    QgsMapLayer,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeatureSource,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterCrs,
+    QgsProcessingParameterDateTime,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterString,
+    QgsProject,
+)
+
+from ..plugin.translation import tr
+from .base import TetratrackAlgorithm
+
+TILES, CRS, EPOCH, TIME = "TILES", "CRS", "EPOCH", "TIME"
+UNIT, HEIGHT, RADIUS, GRADIENT, LEG_LENGTH, OPENING, CALIBRATE = (
+    "UNIT",
+    "HEIGHT",
+    "RADIUS",
+    "GRADIENT",
+    "LEG_LENGTH",
+    "OPENING",
+    "CALIBRATE",
+)
+AREA, CONTROL, TARGETS, CHECK = "AREA", "CONTROL", "TARGETS", "CHECK"
+POINT_CLOUD_ENDINGS = (".las", ".laz")
+OPENINGS = ("tetrahedral", "paper")
+UNIT_HINTS = tuple(f"tetrapod {mass} t" for mass in ("0.5", 1, 2, "3.2", 4, 5, "6.3", 8, 10, "12.5", 16, 20, 25, 32, 40, 50, 64, 80))
+"""Catalogue names offered; any other mass may be typed. A test compares them with the engine's catalogue."""
+LOCAL = "LOCAL"
+CONTROL_COLUMNS = ("point_id", "easting", "northing", "height", "sd_e", "sd_n", "sd_h")
+TARGET_COLUMNS = ("point_id", "x", "y", "z")
+CHECK_COLUMNS = ("point_id", "unit_easting", "unit_northing", "unit_height", "easting", "northing", "height", "sd")
+
+
+@dataclass
+class EpochInput:
+    """One epoch as survey.toml states it; paths absolute, ``time`` ISO 8601 in UTC."""
+
+    label: str
+    time: str
+    tiles: list[str]
+    files: dict[str, str] = field(default_factory=dict)
+
+
+@dataclass
+class SurveyInput:
+    """Everything survey.toml states."""
+
+    crs: str
+    unit: dict[str, Any]
+    epochs: list[EpochInput]
+    tiles_crs: str = ""
+    area: list[list[float]] = field(default_factory=list)
+
+    def write(self, folder: Path) -> Path:
+        """Write survey.toml into a folder and return its path."""
+        lines = ["[survey]", f"name = {_toml('QGIS')}", f"crs = {_toml(self.crs)}", "", "[unit]"]
+        lines += [f"{key} = {_toml(value)}" for key, value in self.unit.items()]
+        if self.area:
+            lines.append(f"area = {_toml(self.area)}")
+        for epoch in self.epochs:
+            lines += ["", "[[epoch]]", f"label = {_toml(epoch.label)}", f"time = {epoch.time}", f"tiles = {_toml(epoch.tiles)}"]
+            if self.tiles_crs:
+                lines.append(f"tiles_crs = {_toml(self.tiles_crs)}")
+            lines += [f"{key} = {_toml(path)}" for key, path in epoch.files.items()]
+        path = folder / "survey.toml"
+        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        return path
+
+
+def _toml(value: Any) -> str:
+    """Text, number, boolean or nested list as TOML; JSON writes these the same, but for the delete character."""
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def add_tiles(algorithm: TetratrackAlgorithm, *, name: str = TILES, label: str = "") -> None:
+    """Point cloud of one epoch: files, a folder, a virtual point cloud or layers."""
+    algorithm.add(
+        QgsProcessingParameterMultipleLayers(name, label or tr("Point cloud tiles"), Qgis.ProcessingSourceType.PointCloud),
+        tr("LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres."),
+    )
+
+
+def add_crs(algorithm: TetratrackAlgorithm) -> None:
+    """CRS of the results, by default that of the tiles."""
+    algorithm.add(
+        QgsProcessingParameterCrs(CRS, tr("CRS of the results"), optional=True),
+        tr("Projected CRS in metres; empty takes that of the tiles, and a local frame if they declare none."),
+    )
+
+
+def add_epoch(algorithm: TetratrackAlgorithm) -> None:
+    """Label and time of an epoch."""
+    algorithm.add(
+        QgsProcessingParameterString(EPOCH, tr("Epoch"), "1"),
+        tr("Label of this survey in all results, for example its date."),
+    )
+    algorithm.add(
+        QgsProcessingParameterDateTime(TIME, tr("Time of the survey (UTC)"), optional=True),
+        tr("Drives the temporal controller; empty takes the date of the first tile."),
+    )
+
+
+def add_unit(algorithm: TetratrackAlgorithm) -> None:
+    """Type of unit from the catalogue or own numbers, and whether its shape is calibrated."""
+    add_unit_type(algorithm)
+    algorithm.add(
+        QgsProcessingParameterBoolean(CALIBRATE, tr("Calibrate radius and taper"), False),
+        tr("Estimates both from the best-seen units and holds them: moulds differ by centimetres from the standard proportions."),
+    )
+
+
+def add_unit_type(algorithm: TetratrackAlgorithm) -> None:
+    """Type of unit from the catalogue, or own numbers."""
+    unit = QgsProcessingParameterString(UNIT, tr("Type of unit"), UNIT_HINTS[7])
+    unit.setMetadata({"widget_wrapper": {"value_hints": list(UNIT_HINTS)}})
+    algorithm.add(unit, tr("Catalogue name with the mass in tonnes, such as tetrapod 8 t; or tetrapod with a height of your own."))
+    algorithm.add(
+        _length(HEIGHT, tr("Height H of the unit (m)")),
+        tr("From the plane under three legs to the top of the fourth, in metres; overrides the catalogue."),
+    )
+    algorithm.add(
+        _length(RADIUS, tr("Cone radius at the centre (m)")),
+        tr("Radius of a leg's cone at the unit's centre, in metres; empty takes 0.264 H."),
+        advanced=True,
+    )
+    algorithm.add(
+        _length(GRADIENT, tr("Taper of the leg")),
+        tr("Loss of radius per metre along the leg's axis; empty takes 0.176."),
+        advanced=True,
+    )
+    algorithm.add(
+        _length(LEG_LENGTH, tr("Leg length (m)")),
+        tr("From the centre to the end disc, in metres; empty takes 0.644 H."),
+        advanced=True,
+    )
+    algorithm.add(
+        QgsProcessingParameterEnum(
+            OPENING, tr("Angle between the legs"), [tr("tetrahedral (109.5°)"), tr("as in the paper (120°)")], False, 0
+        ),
+        tr("Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations."),
+        advanced=True,
+    )
+
+
+def _length(name: str, label: str) -> QgsProcessingParameterNumber:
+    parameter = QgsProcessingParameterNumber(name, label, Qgis.ProcessingNumberParameterType.Double, None, True, 1e-6)
+    parameter.setMetadata({"widget_wrapper": {"decimals": 5}})
+    return parameter
+
+
+def add_area(algorithm: TetratrackAlgorithm) -> None:
+    """Area of interest."""
+    algorithm.add(
+        QgsProcessingParameterFeatureSource(AREA, tr("Area of interest"), [Qgis.ProcessingSourceType.VectorPolygon], optional=True),
+        tr("Polygon inside which units are looked for; its outer ring is used. Empty means everywhere."),
+    )
+
+
+def add_control(algorithm: TetratrackAlgorithm, *, optional: bool = True) -> None:
+    """Surveyed control points and the same targets in the cloud."""
+    algorithm.add(
+        _points(CONTROL, tr("Control points"), optional),
+        tr("Surveyed targets: point layer or CSV with point_id, easting, northing, height, sd_e, sd_n, sd_h (m)."),
+    )
+    algorithm.add(
+        _points(TARGETS, tr("Targets in the cloud"), optional),
+        tr("The same targets as measured in this epoch's cloud: point layer or CSV with point_id, x, y, z (m)."),
+    )
+
+
+def add_check(algorithm: TetratrackAlgorithm, *, optional: bool = True) -> None:
+    """Surveyed check points."""
+    algorithm.add(
+        _points(CHECK, tr("Check points"), optional),
+        tr(
+            "Surveyed joints of cones, for validation only: CSV or layer with point_id, unit_easting, unit_northing, unit_height and position (m)."
+        ),
+    )
+
+
+def _points(name: str, label: str, optional: bool) -> QgsProcessingParameterFeatureSource:
+    return QgsProcessingParameterFeatureSource(name, label, [Qgis.ProcessingSourceType.Vector], optional=optional)
+
+
+def tile_paths(value: Any, context: QgsProcessingContext, where: str) -> list[str]:
+    """Files named by the value of a tiles parameter; call in the main thread, it looks at the project.
+
+    Raises
+    ------
+    QgsProcessingException
+        Nothing given, or a path that does not exist.
+    """
+    found: list[str] = []
+    for item in value if isinstance(value, list | tuple) else [value]:
+        found += _files_of(item, context, where)
+    if not found:
+        raise QgsProcessingException(tr("{where}: no LAS or LAZ file is given.").format(where=where))
+    return list(dict.fromkeys(found))
+
+
+def _files_of(item: Any, context: QgsProcessingContext, where: str) -> list[str]:
+    layer = item if isinstance(item, QgsMapLayer) else _project_layer(str(item or ""), context)
+    text = layer.source() if layer is not None else str(item or "")
+    if not text:
+        return []
+    path = Path(text.split("|")[0])
+    if path.is_dir():
+        inside = sorted(str(p) for p in path.iterdir() if p.suffix.lower() in POINT_CLOUD_ENDINGS)
+        if not inside:
+            raise QgsProcessingException(tr("{where}: the folder {path} holds no LAS or LAZ file.").format(where=where, path=path))
+        return inside
+    if path.suffix.lower() == ".vpc" and path.is_file():
+        return _virtual_point_cloud(path, where)
+    if any(character in path.name for character in "*?") and path.parent.is_dir():
+        return sorted(str(p) for p in path.parent.glob(path.name))
+    if not path.is_file():
+        raise QgsProcessingException(tr("{where}: there is no file or layer {path}.").format(where=where, path=text))
+    return [str(path)]
+
+
+def _project_layer(text: str, context: QgsProcessingContext) -> QgsMapLayer | None:
+    project = context.project() or QgsProject.instance()
+    named = project.mapLayersByName(text)
+    return project.mapLayer(text) or (named[0] if named else None)
+
+
+def _virtual_point_cloud(path: Path, where: str) -> list[str]:
+    try:
+        features = json.loads(path.read_text(encoding="utf-8"))["features"]
+        links = [asset["href"] for feature in features for asset in feature["assets"].values()]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        raise QgsProcessingException(tr("{where}: {path} is not a virtual point cloud.").format(where=where, path=path)) from error
+    return [str((path.parent / link).resolve()) for link in links if Path(link).suffix.lower() in POINT_CLOUD_ENDINGS]
+
+
+def unit_values(algorithm: TetratrackAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext) -> dict[str, Any]:
+    """Section [unit] of survey.toml."""
+    values: dict[str, Any] = {"type": algorithm.parameterAsString(parameters, UNIT, context).strip()}
+    for name, key in ((HEIGHT, "height"), (RADIUS, "radius"), (GRADIENT, "gradient"), (LEG_LENGTH, "leg_length")):
+        if parameters.get(name) is not None:
+            values[key] = algorithm.parameterAsDouble(parameters, name, context)
+    values["opening"] = OPENINGS[algorithm.parameterAsEnum(parameters, OPENING, context)]
+    if algorithm.parameterDefinition(CALIBRATE) is not None:
+        values["calibrate"] = algorithm.parameterAsBoolean(parameters, CALIBRATE, context)
+    return values
+
+
+def unit_arguments(algorithm: TetratrackAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext) -> list[str]:
+    """The unit as options of a subcommand without survey.toml; option names are the keys of section [unit]."""
+    arguments = []
+    for key, value in unit_values(algorithm, parameters, context).items():
+        option = "unit" if key == "type" else key.replace("_", "-")
+        arguments += [f"--{option}", str(value)]
+    return arguments
+
+
+def check_unit(algorithm: TetratrackAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext) -> str:
+    """Reason why the unit's numbers cannot go together, empty if they can."""
+    name = algorithm.parameterAsString(parameters, UNIT, context).strip().lower()
+    given = parameters.get(HEIGHT) is not None
+    if name == "tetrapod" and not given:
+        return tr("Give the height H of the unit, or choose a catalogue name with its mass, such as tetrapod 8 t.")
+    if not name.startswith("tetrapod"):
+        return tr("The type of unit must be tetrapod, or a catalogue name such as tetrapod 8 t.")
+    if given and parameters.get(RADIUS) is not None:
+        height = algorithm.parameterAsDouble(parameters, HEIGHT, context)
+        if algorithm.parameterAsDouble(parameters, RADIUS, context) >= height / 2:
+            return tr("The cone radius must be smaller than half the height of the unit.")
+    return ""
+
+
+def check_crs(algorithm: TetratrackAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext) -> str:
+    """Reason why the CRS cannot be used, empty if it can."""
+    crs = algorithm.parameterAsCrs(parameters, CRS, context)
+    if crs.isValid() and crs.isGeographic():
+        return tr("{crs} is geographic; choose a projected CRS in metres.").format(crs=crs.authid())
+    return ""
+
+
+def check_pair(parameters: dict[str, Any]) -> str:
+    """Reason why control cannot be used, empty if it can."""
+    if bool(parameters.get(CONTROL)) != bool(parameters.get(TARGETS)):
+        return tr("Control points and targets in the cloud belong together: give both, or neither.")
+    return ""
+
+
+def crs_text(crs: QgsCoordinateReferenceSystem) -> str:
+    """CRS as survey.toml names it."""
+    if not crs.isValid():
+        return ""
+    return crs.authid() or crs.toWkt(Qgis.CrsWktVariant.Preferred)
+
+
+def ring_of(
+    source: QgsProcessingFeatureSource | None, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
+) -> list[list[float]]:
+    """Outer ring of the area of interest in the survey's CRS; empty for no area."""
+    if source is None:
+        return []
+    request = QgsFeatureRequest()
+    if crs.isValid():
+        request.setDestinationCrs(crs, context.transformContext())
+    geometries = [feature.geometry() for feature in source.getFeatures(request) if feature.hasGeometry()]
+    if not geometries:
+        raise QgsProcessingException(tr("The area of interest holds no polygon."))
+    joined = QgsGeometry.unaryUnion(geometries)
+    if joined.isMultipart() and len(joined.asMultiPolygon()) > 1:
+        raise QgsProcessingException(tr("The area of interest has several separate parts; give one polygon."))
+    polygon = joined.asMultiPolygon()[0] if joined.isMultipart() else joined.asPolygon()
+    return [[point.x(), point.y()] for point in polygon[0][:-1]]
+
+
+def write_points(
+    source: QgsProcessingFeatureSource,
+    columns: Iterable[str],
+    path: Path,
+    crs: QgsCoordinateReferenceSystem,
+    context: QgsProcessingContext,
+    defaults: dict[str, str],
+) -> Path:
+    """Write a point layer or CSV table as the engine's CSV.
+
+    Columns are taken by name; the three coordinates of the position come from the geometry where the columns are missing, in the
+    survey's CRS. A text such as ``1.2x`` is passed on as it is, for the engine to name its line.
+    """
+    names = [field.name() for field in source.fields()]
+    lookup = {name.lower(): name for name in names}
+    columns = list(columns)
+    position = [c for c in ("easting", "northing", "height", "x", "y", "z") if c in columns]
+    from_geometry = not all(c in lookup for c in position)
+    missing = [
+        c for c in columns if c not in lookup and c not in defaults and not (c in position and source.wkbType() != Qgis.WkbType.NoGeometry)
+    ]
+    if missing:
+        raise QgsProcessingException(
+            tr("{layer} has no field {fields}; it has {present}.").format(
+                layer=source.sourceName(), fields=", ".join(missing), present=", ".join(names)
+            )
+        )
+    transform = QgsCoordinateTransform()
+    if from_geometry and crs.isValid() and source.sourceCrs().isValid() and source.sourceCrs() != crs:
+        transform = QgsCoordinateTransform(source.sourceCrs(), crs, context.transformContext())
+    with path.open("w", encoding="utf-8", newline="") as stream:
+        writer = csv.writer(stream)
+        writer.writerow(columns)
+        for feature in source.getFeatures():
+            row = {c: feature.attribute(lookup[c]) if c in lookup else defaults.get(c, "") for c in columns}
+            if from_geometry:
+                geometry = feature.geometry()
+                geometry.transform(transform)
+                vertex = geometry.vertexAt(0)
+                row |= dict(zip(position, (vertex.x(), vertex.y(), vertex.z())))
+            writer.writerow([_cell(row[c]) for c in columns])
+    return path
+
+
+def _cell(value: Any) -> str:
+    return repr(value) if isinstance(value, float) else "" if value is None else str(value)

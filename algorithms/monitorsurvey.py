@@ -1,0 +1,226 @@
+"""All steps at once: from tiles or survey.toml to the result GeoPackage."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    Qgis,
+    QgsCoordinateReferenceSystem,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterMatrix,
+    QgsProcessingParameterNumber,
+    QgsProject,
+    QgsVectorLayer,
+)
+
+from ..plugin.layers import DRAWING_ORDER, load_on_completion
+from ..plugin.translation import tr
+from .base import Texts
+from .inputs import (
+    AREA,
+    CHECK_COLUMNS,
+    CONTROL_COLUMNS,
+    CRS,
+    LOCAL,
+    TARGET_COLUMNS,
+    EpochInput,
+    SurveyInput,
+    add_area,
+    add_crs,
+    add_unit,
+    crs_text,
+    ring_of,
+    tile_paths,
+    unit_values,
+    write_points,
+)
+from .survey_algorithm import CHECK_SD, TARGET_SD, SurveyAlgorithm, creation_date
+
+FILE_COLUMNS = (
+    ("control", CONTROL_COLUMNS, dict.fromkeys(("sd_e", "sd_n", "sd_h"), TARGET_SD)),
+    ("targets", TARGET_COLUMNS, {}),
+    ("check", CHECK_COLUMNS, {"sd": CHECK_SD}),
+)
+
+
+class MonitorSurvey(SurveyAlgorithm):
+    """Algorithm ``tetratrack:monitorsurvey``."""
+
+    ID = "monitorsurvey"
+    GROUP = "monitoring"
+    ICON = "tetratrack.svg"
+    SURVEY, EPOCHS, WORKERS, BACKDROP, LOAD, OUTPUT = "SURVEY", "EPOCHS", "WORKERS", "BACKDROP", "LOAD", "OUTPUT"
+    SINKS = (("UNITS", "units"), ("FEATURE_POINTS", "feature_points"), ("DISPLACEMENTS", "displacements"))
+    COLUMNS = 6
+
+    def texts(self) -> Texts:
+        return Texts(
+            tr("Monitor a survey"),
+            tr(
+                "All steps at once: registers every epoch to survey control, finds the tetrapods, fits four cones that share a centre, "
+                "derives feature points and tests their displacements. Give a survey.toml, or the epochs and the unit."
+            ),
+            tr(
+                "Units of which less than about 5 % is seen are not found. Without control the cloud's own frame is used, and the result says so."
+            ),
+            tr("tetrapod,armour unit,breakwater,displacement,monitoring,LAS,LAZ,deformation"),
+        )
+
+    def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:
+        self.add(
+            QgsProcessingParameterFile(
+                self.SURVEY, tr("Survey file"), Qgis.ProcessingFileParameterBehavior.File, optional=True, fileFilter="survey.toml (*.toml)"
+            ),
+            tr("A survey.toml; if given, it states everything, and the fields for epochs, unit, CRS and area are not used."),
+        )
+        headers = [tr("Label"), tr("Time (UTC)"), tr("Tiles"), tr("Control points"), tr("Targets in the cloud"), tr("Check points")]
+        self.add(
+            QgsProcessingParameterMatrix(self.EPOCHS, tr("Epochs"), 1, False, headers, optional=True),
+            tr("One row per epoch: label, time such as 2025-03-14T02:30, folder or files of tiles (separated by ;), CSV files or layers."),
+        )
+        add_unit(self)
+        add_crs(self)
+        add_area(self)
+        self.add(
+            QgsProcessingParameterNumber(
+                self.WORKERS, tr("Worker processes"), Qgis.ProcessingNumberParameterType.Integer, 1, False, 1, 256
+            ),
+            tr("Tiles worked on at the same time; each takes about 1 GB of memory."),
+            advanced=True,
+        )
+        self.add(
+            QgsProcessingParameterBoolean(self.BACKDROP, tr("Shaded relief of each epoch"), True),
+            tr("Writes a top view of each epoch as GeoTIFF beside the result, as a backdrop."),
+            advanced=True,
+        )
+        self.add(
+            QgsProcessingParameterBoolean(self.LOAD, tr("Load the result"), True),
+            tr("Adds all layers to the project as a group with their styles."),
+        )
+        self.add(
+            QgsProcessingParameterFileDestination(self.OUTPUT, tr("Result"), "GeoPackage (*.gpkg)"),
+            tr("GeoPackage with units, feature points, displacements, residuals, epochs and reviews, in the survey's CRS, times in UTC."),
+        )
+        for name, layer in self.SINKS:
+            self.add_layer_sink(name, layer, optional=True)
+        self.addOutput(QgsProcessingOutputNumber("UNITS_FOUND", tr("Units found")))
+        self.addOutput(QgsProcessingOutputNumber("UNITS_MOVED", tr("Units moved")))
+        self.addOutput(QgsProcessingOutputNumber("CHECK_RMSE", tr("RMSE at check points (m)")))
+
+    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        if parameters.get(self.SURVEY):
+            # the file states everything; what the engine finds wrong in it is said with its line
+            return self.base_check(parameters, context)
+        rows = self.parameterAsMatrix(parameters, self.EPOCHS, context)
+        if not rows:
+            return False, tr("Give a survey.toml, or at least one epoch with its tiles.")
+        if len(rows) % self.COLUMNS:
+            return False, tr("Every epoch needs six columns: label, time, tiles, control points, targets, check points.")
+        return super().checkParameterValues(parameters, context)
+
+    def base_check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        """The checks of Processing itself."""
+        return super(SurveyAlgorithm, self).checkParameterValues(parameters, context)
+
+    def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> bool:
+        self.rows = []
+        if parameters.get(self.SURVEY):
+            return True
+        values = ["" if value is None else str(value).strip() for value in self.parameterAsMatrix(parameters, self.EPOCHS, context)]
+        for start in range(0, len(values), self.COLUMNS):
+            label, time, tiles, *tables = values[start : start + self.COLUMNS]
+            where = tr("Epoch {label}").format(label=label or start // self.COLUMNS + 1)
+            paths = tile_paths([part.strip() for part in tiles.split(";")], context, where)
+            self.rows.append((label, time, paths, [self.table(text, context, where) for text in tables]))
+        return True
+
+    def table(self, text: str, context: QgsProcessingContext, where: str) -> QgsVectorLayer | None:
+        """Point layer or CSV named in a cell."""
+        if not text:
+            return None
+        project = context.project() or QgsProject.instance()
+        named = project.mapLayersByName(text)
+        layer = project.mapLayer(text) or (named[0] if named else None)
+        if layer is None and not Path(text).is_file():
+            raise QgsProcessingException(tr("{where}: there is no file or layer {path}.").format(where=where, path=text))
+        found = layer.clone() if isinstance(layer, QgsVectorLayer) else QgsVectorLayer(text, Path(text).stem, "ogr")
+        if not found.isValid():
+            raise QgsProcessingException(tr("{where}: {path} cannot be read as a point layer or CSV file.").format(where=where, path=text))
+        return found
+
+    def processAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        target = Path(self.parameterAsFileOutput(parameters, self.OUTPUT, context))
+        if not target.parent.is_dir():
+            raise QgsProcessingException(tr("The folder {folder} does not exist.").format(folder=target.parent))
+        with self.scratch() as scratch:
+            folder = Path(scratch)
+            given = self.parameterAsFile(parameters, self.SURVEY, context)
+            survey = Path(given) if given else self.survey_of_rows(folder, parameters, context, feedback)
+            if survey is None:
+                return {}
+            workers = str(self.parameterAsInt(parameters, self.WORKERS, context))
+            last = 90 if self.parameterAsBoolean(parameters, self.BACKDROP, context) else 100
+            # the engine itself writes the file whole or not at all, and keeps the reviews of an earlier result of that name
+            found = self.run_engine(["run", str(survey), "--output", str(target), "--workers", workers], feedback, 0, last)
+            if found is None:
+                return {}
+            reliefs: list[str] = []
+            if last < 100:
+                drawn = self.run_engine(["relief", str(survey), "--output", str(target.with_suffix("")) + "_relief"], feedback, last, 100)
+                if drawn is None:
+                    return {}
+                reliefs = drawn["files"]
+        outputs: dict[str, Any] = {}
+        for name, layer in self.SINKS:
+            identifier, _ = self.copy_to_sink(target, layer, parameters, name, context)
+            if identifier is not None:
+                outputs[name] = identifier
+        if self.parameterAsBoolean(parameters, self.LOAD, context):
+            self.load(target, reliefs, context)
+        return outputs | {
+            self.OUTPUT: str(target),
+            "UNITS_FOUND": found["units"],
+            "UNITS_MOVED": found["moved"],
+            "CHECK_RMSE": found["check_rmse"],
+        }
+
+    def load(self, target: Path, reliefs: list[str], context: QgsProcessingContext) -> None:
+        """Have all layers with rows loaded into one group named after the result."""
+        for layer in DRAWING_ORDER:
+            source = f"{target}|layername={layer}"
+            opened = QgsVectorLayer(source, layer, "ogr")
+            if opened.isValid() and opened.featureCount() > 0:
+                load_on_completion(context, source, layer, self.OUTPUT, target.stem)
+        for relief in reliefs:
+            load_on_completion(context, relief, Path(relief).stem, self.OUTPUT, target.stem)
+
+    def survey_of_rows(
+        self, folder: Path, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> Path | None:
+        """Write survey.toml from the table of epochs."""
+        crs = self.parameterAsCrs(parameters, CRS, context)
+        text = crs_text(crs) or self.crs_of_tiles(folder, self.rows[0][2], feedback)
+        if text is None:
+            return None
+        frame = crs if crs.isValid() else QgsCoordinateReferenceSystem(text if text != LOCAL else "")
+        epochs = []
+        for number, (label, time, tiles, tables) in enumerate(self.rows):
+            files = {}
+            for (key, columns, defaults), table in zip(FILE_COLUMNS, tables):
+                if table is not None:
+                    own = QgsCoordinateReferenceSystem() if key == "targets" else frame
+                    files[key] = str(write_points(table, columns, folder / f"{key}_{number}.csv", own, context, defaults))
+            stamp = time.rstrip("Z") + "Z" if time else creation_date(Path(tiles[0])).strftime("%Y-%m-%dT%H:%M:%SZ")
+            epochs.append(EpochInput(label or str(number + 1), stamp, tiles, files))
+        area = ring_of(self.parameterAsSource(parameters, AREA, context), frame, context)
+        return SurveyInput(text, unit_values(self, parameters, context), epochs, tiles_crs=crs_text(crs), area=area).write(folder)

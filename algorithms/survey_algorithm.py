@@ -1,0 +1,193 @@
+"""Algorithms that work on one epoch's tiles: from parameters to the engine's survey.toml."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Sequence
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsFeature,
+    QgsField,
+    QgsFields,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeatureSource,
+    QgsProcessingFeedback,
+    QgsVectorFileWriter,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtCore import Qt
+
+from ..core.schema import LAYERS
+from ..plugin.layers import FIELD_TYPES, wkb_type
+from ..plugin.translation import tr
+from .base import TetratrackAlgorithm
+from .inputs import (
+    AREA,
+    CHECK,
+    CHECK_COLUMNS,
+    CONTROL,
+    CONTROL_COLUMNS,
+    CRS,
+    EPOCH,
+    LOCAL,
+    TARGET_COLUMNS,
+    TARGETS,
+    TILES,
+    TIME,
+    UNIT,
+    EpochInput,
+    SurveyInput,
+    check_crs,
+    check_pair,
+    check_unit,
+    crs_text,
+    ring_of,
+    tile_paths,
+    unit_values,
+    write_points,
+)
+
+TARGET_SD, CHECK_SD = "0.003", "0.003"
+"""Standard deviation in metres assumed for surveyed points of a layer without such fields: that of a total station."""
+
+
+class SurveyAlgorithm(TetratrackAlgorithm):
+    """Reads whichever of the shared parameters the algorithm declares."""
+
+    def has(self, name: str) -> bool:
+        """Whether this algorithm declares a parameter."""
+        return self.parameterDefinition(name) is not None
+
+    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        problems = []
+        if self.has(UNIT):
+            problems.append(check_unit(self, parameters, context))
+        if self.has(CRS):
+            problems.append(check_crs(self, parameters, context))
+        if self.has(CONTROL) and self.has(TARGETS):
+            problems.append(check_pair(parameters))
+        for problem in filter(None, problems):
+            return False, problem
+        return super().checkParameterValues(parameters, context)
+
+    def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> bool:
+        if self.has(TILES) and parameters.get(TILES):
+            self.tiles = tile_paths(parameters[TILES], context, self.parameterDefinition(TILES).description())
+        return True
+
+    def survey(
+        self, folder: Path, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> Path | None:
+        """Write survey.toml for the parameters into a folder; None when the user cancelled."""
+        crs = self.parameterAsCrs(parameters, CRS, context)
+        text = crs_text(crs) or self.crs_of_tiles(folder, self.tiles, feedback)
+        if text is None:
+            return None
+        crs = crs if crs.isValid() else QgsCoordinateReferenceSystem(text if text != LOCAL else "")
+        epoch = EpochInput(
+            self.parameterAsString(parameters, EPOCH, context).strip() or "1",
+            self.time(parameters, context),
+            self.tiles,
+            self.point_files(folder, parameters, context, crs),
+        )
+        area = ring_of(self.parameterAsSource(parameters, AREA, context), crs, context) if self.has(AREA) else []
+        return SurveyInput(text, unit_values(self, parameters, context), [epoch], tiles_crs=crs_text(crs), area=area).write(folder)
+
+    def crs_of_tiles(self, folder: Path, tiles: list[str], feedback: QgsProcessingFeedback) -> str | None:
+        """CRS the tiles declare, ``LOCAL`` where they declare none; None when the user cancelled."""
+        found = self.run_engine(["inspect", *tiles, "--output", str(folder / "tiles.gpkg")], feedback, 0, 2)
+        if found is None:
+            return None
+        if not found["crs"]:
+            feedback.pushWarning(
+                tr("The tiles declare no CRS: results are in a local frame. Choose the CRS of the results to change that.")
+            )
+        return found["crs"] or LOCAL
+
+    def time(self, parameters: dict[str, Any], context: QgsProcessingContext) -> str:
+        """Time of the epoch, ISO 8601 in UTC."""
+        given = self.parameterAsDateTime(parameters, TIME, context)
+        if given.isValid():
+            # the parameter is stated in UTC, whatever time spec the widget gave it
+            return given.toString(Qt.DateFormat.ISODate).split("+")[0].rstrip("Z") + "Z"
+        return creation_date(Path(self.tiles[0])).strftime("%Y-%m-%dT%H:%M:%SZ")
+
+    def point_files(
+        self, folder: Path, parameters: dict[str, Any], context: QgsProcessingContext, crs: QgsCoordinateReferenceSystem
+    ) -> dict[str, str]:
+        """CSV files of control, targets and check points as far as they are given."""
+        files = {}
+        sds = dict.fromkeys(("sd_e", "sd_n", "sd_h"), TARGET_SD)
+        for name, columns, defaults in (
+            (CONTROL, CONTROL_COLUMNS, sds),
+            (TARGETS, TARGET_COLUMNS, {}),
+            (CHECK, CHECK_COLUMNS, {"sd": CHECK_SD}),
+        ):
+            if not self.has(name) or not parameters.get(name):
+                continue
+            source = self.parameterAsSource(parameters, name, context)
+            if source is None:
+                raise QgsProcessingException(self.invalidSourceError(parameters, name))
+            # targets stand in the frame of the cloud: a change of CRS would be wrong for them
+            frame = QgsCoordinateReferenceSystem() if name == TARGETS else crs
+            path = write_points(source, columns, folder / f"{name.lower()}.csv", frame, context, defaults)
+            files[name.lower()] = str(path)
+        return files
+
+
+def creation_date(path: Path) -> datetime:
+    """Creation date in a LAS header (day of year and year at byte 90), or the file's own date where it is blank."""
+    with path.open("rb") as stream:
+        header = stream.read(94)
+    if len(header) == 94 and header[:4] == b"LASF":
+        day, year = struct.unpack("<HH", header[90:94])
+        if 1 <= day <= 366 and year > 1980:
+            return datetime(year, 1, 1, tzinfo=UTC) + timedelta(days=day - 1)
+    return datetime.fromtimestamp(path.stat().st_mtime, tz=UTC)
+
+
+def write_layers(
+    sources: Sequence[QgsProcessingFeatureSource | QgsVectorLayer], path: Path, layer: str, context: QgsProcessingContext
+) -> Path:
+    """Write sources of the same kind, one after the other, as one layer of a GeoPackage for the engine.
+
+    Raises
+    ------
+    QgsProcessingException
+        A field of the schema is missing, or the file cannot be written.
+    """
+    names = LAYERS[layer].names
+    fields = QgsFields()
+    for field in LAYERS[layer].fields:
+        fields.append(QgsField(field.name, FIELD_TYPES[field.type]))
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    options.driverName, options.layerName = "GPKG", layer
+    first = sources[0]
+    crs = first.crs() if isinstance(first, QgsVectorLayer) else first.sourceCrs()
+    kind = wkb_type(LAYERS[layer].geometry)
+    writer = QgsVectorFileWriter.create(str(path), fields, kind, crs, context.transformContext(), options)
+    for source in sources:
+        missing = [name for name in names if source.fields().lookupField(name) < 0]
+        if missing:
+            raise QgsProcessingException(
+                tr("{layer} has no field {fields}; it has {present}.").format(
+                    layer=source.name() if isinstance(source, QgsVectorLayer) else source.sourceName(),
+                    fields=", ".join(missing),
+                    present=", ".join(source.fields().names()),
+                )
+            )
+        for feature in source.getFeatures():
+            row = QgsFeature(fields)
+            row.setGeometry(feature.geometry())
+            row.setAttributes([feature.attribute(name) for name in names])
+            writer.addFeature(row)
+    problem = writer.errorMessage()
+    writer.finalize()
+    if problem:
+        raise QgsProcessingException(problem)
+    return path
