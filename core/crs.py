@@ -138,9 +138,14 @@ def tile_transform(tile_crs: CRS | None, survey_crs: str, corners: FloatArray, *
     return TileTransform(apply, f"{Path(source).name}: transformed from {_name(tile_crs)} to {survey_crs}, {heights}")
 
 
-def wkt(survey_crs: str) -> str:
-    """WKT 2 of the survey's CRS, empty for LOCAL."""
-    return "" if survey_crs == LOCAL else str(parse_crs(survey_crs).to_wkt())
+def crs_text(crs: CRS | None) -> str:
+    """What to write into survey.toml for a tile's CRS: a code of its horizontal part, LOCAL for a site frame, else WKT; empty for none."""
+    if crs is None:
+        return ""
+    flat = _horizontal(crs)
+    if not (flat.is_projected or flat.is_geographic or flat.is_geocentric):
+        return LOCAL
+    return _code(flat) or str(flat.to_wkt())
 
 
 def _unusable(crs: CRS) -> str:
@@ -212,9 +217,17 @@ def _no_transformation(a: CRS, b: CRS, source: str | Path) -> CrsError:
     )
 
 
-def _name(crs: CRS) -> str:
+def _code(crs: CRS) -> str:
+    """``EPSG:xxxx`` that the definition carries or certainly equals, else an empty text."""
+    declared = crs.to_json_dict().get("id", {})
+    if declared.get("authority") == "EPSG":
+        return f"EPSG:{declared['code']}"
     code = crs.to_epsg()
-    return f"EPSG:{code}" if code is not None else str(crs.name)
+    return "" if code is None else f"EPSG:{code}"
+
+
+def _name(crs: CRS) -> str:
+    return _code(crs) or str(crs.name)
 
 
 def _short(text: str) -> str:

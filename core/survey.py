@@ -14,7 +14,7 @@ from typing import Any
 
 from .crs import LOCAL, check_survey_crs
 from .errors import InputError
-from .unit_types import Opening, UnitType, catalogue_unit
+from .unit_types import UnitType, catalogue_unit
 
 Ring = tuple[tuple[float, float], ...]
 
@@ -232,6 +232,36 @@ def inside(ring: Ring, easting: float, northing: float) -> bool:
     return within
 
 
+def unit_from_keys(values: Mapping[str, Any]) -> UnitType:
+    """Unit type from the values of the keys of section [unit]; None stands for an absent key.
+
+    Raises
+    ------
+    InputError
+        With the key in ``where``.
+    """
+    name: str = values["type"]
+    named = catalogue_unit(name)
+    if named is None and name.strip().lower() != "tetrapod":
+        raise InputError(
+            f"unknown type of unit {name!r}", where="type", remedy='Write "tetrapod" with a height, or a mass as in "tetrapod 8 t".'
+        )
+    height = values["height"] or (named.height if named else None)
+    if height is None:
+        raise InputError("key height is missing", where="height", remedy="Add the nominal height in metres, or a mass to the type.")
+    try:
+        return UnitType.tetrapod(
+            height,
+            radius=values["radius"],
+            gradient=values["gradient"],
+            leg_length=values["leg_length"],
+            opening=values["opening"],
+            name=named.name if named else "tetrapod",
+        )
+    except ValueError as error:
+        raise InputError(str(error), where="type", remedy="Check height, radius, gradient, leg_length and opening.") from error
+
+
 class _Reader:
     """Checks the parsed file; knows where every key stands."""
 
@@ -342,30 +372,13 @@ class _Reader:
         return tuple(sorted(found))
 
     def _unit(self, index: int, values: Mapping[str, Any]) -> SurveyUnit:
-        name: str = values["type"]
-        named = catalogue_unit(name)
-        opening: Opening = values["opening"]
-        if named is None and name.lower() != "tetrapod":
-            raise self._error(
-                "unit", index, "type", f"unknown type of unit {name!r}", 'Write "tetrapod" with a height, or a mass as in "tetrapod 8 t".'
-            )
-        height = values["height"] or (named.height if named else None)
-        if height is None:
-            raise self._error("unit", index, "type", "key height is missing", "Add the nominal height in metres, or a mass to the type.")
         ring: Ring | None = values["area"] or None
         if ring is not None and len(ring) < 3:
             raise self._error("unit", index, "area", "area needs at least three corners")
         try:
-            unit = UnitType.tetrapod(
-                height,
-                radius=values["radius"],
-                gradient=values["gradient"],
-                leg_length=values["leg_length"],
-                opening=opening,
-                name=named.name if named else "tetrapod",
-            )
-        except ValueError as error:
-            raise self._error("unit", index, "type", str(error), "Check radius, gradient and leg_length.") from error
+            unit = unit_from_keys(values)
+        except InputError as error:
+            raise self._error("unit", index, error.where, error.problem, error.remedy) from error
         return SurveyUnit(unit, values["calibrate"], ring)
 
     def _epoch(self, index: int, values: Mapping[str, Any]) -> Epoch:

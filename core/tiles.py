@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .crs import LOCAL, parse_crs, tile_transform
+from .crs import LOCAL, TileTransform, crs_text, parse_crs, tile_transform
 from .errors import Cancelled, InputError
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ class TileInfo:
     compressed, copc
         Whether the points are LAZ chunks, and whether they are indexed as a cloud-optimised point cloud.
     crs
-        Name of the header's CRS (or of the epoch's tiles_crs), empty where there is none.
+        The header's CRS (or the epoch's tiles_crs) as survey.toml takes it, empty where there is none.
     has_time
         Points carry GPS time.
     size
@@ -98,6 +98,11 @@ class TileInfo:
     has_time: bool
     size: int
     note: str
+
+    @property
+    def density(self) -> float:
+        """Points per square metre of the extent."""
+        return self.points / max((self.high[0] - self.low[0]) * (self.high[1] - self.low[1]), 1e-6)
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,7 +134,7 @@ class PointCloud:
         return PointCloud(self.xyz[keep], self.origin, self.source_id[keep], self.gps_time[keep])
 
 
-def inspect_tile(path: str | Path, survey_crs: str, *, tiles_crs: str | None = None) -> TileInfo:
+def inspect_tile(path: str | Path, survey_crs: str | None, *, tiles_crs: str | None = None) -> TileInfo:
     """Read and check a tile's header.
 
     Parameters
@@ -137,7 +142,7 @@ def inspect_tile(path: str | Path, survey_crs: str, *, tiles_crs: str | None = N
     path
         LAS, LAZ or COPC file.
     survey_crs
-        CRS of the survey as in survey.toml.
+        CRS of the survey as in survey.toml; None takes the tile as it is, whatever its CRS.
     tiles_crs
         CRS to assume where the header declares none.
 
@@ -159,7 +164,7 @@ def inspect_tile(path: str | Path, survey_crs: str, *, tiles_crs: str | None = N
             raise InputError("has an impossible extent in its header", source=source, remedy=_REMEDY_DAMAGED)
         crs = _tile_crs(header, source, tiles_crs)
         copc = any(vlr.user_id == "copc" and vlr.record_id == 1 for vlr in header.vlrs)
-        transform = tile_transform(crs, survey_crs, _corners(low, high), source=source)
+        transform = TileTransform(None) if survey_crs is None else tile_transform(crs, survey_crs, _corners(low, high), source=source)
         if transform.apply is not None:
             corners = transform.apply(_corners(low, high, 9))
             low, high = corners.min(axis=0), corners.max(axis=0)
@@ -172,7 +177,7 @@ def inspect_tile(path: str | Path, survey_crs: str, *, tiles_crs: str | None = N
             int(header.point_format.id),
             bool(header.are_points_compressed),
             copc,
-            "" if crs is None else str(crs.name),
+            crs_text(crs),
             "gps_time" in header.point_format.dimension_names,
             size,
             transform.note,

@@ -1,0 +1,695 @@
+"""All steps from survey.toml to result.gpkg, one function each; the console command and, through it, QGIS call these.
+
+Units are found and adjusted block by block in the frame of each epoch's cloud; registration then takes poses, covariances and
+feature points into the control frame, where epochs are compared.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import os
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from datetime import UTC
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .block_jobs import GRADIENT_TOLERANCE, RADIUS_TOLERANCE, FitJob, SegmentJob, owners
+from .errors import Cancelled, InputError, OutputError
+from .feature_points import FEATURES, feature_points
+from .geopackage import check_output, from_upper_triangle, replace_durably, temporary_beside, upper_triangle, write_geopackage
+from .pose import Pose
+from .run_record import RunRecord, record_run, software_version
+from .schema import LAYERS
+from .survey import Epoch, Survey
+from .tile_jobs import Block, JobRunner, load_arrays, plan_blocks
+from .tiles import TileInfo, inspect_tile
+from .unit_types import UnitType
+
+if TYPE_CHECKING:
+    from .control import Registration
+
+FloatArray = NDArray[np.float64]
+Tables = dict[str, list[dict[str, Any]]]
+
+STYLES = Path(__file__).parent / "styles"
+SHARES = {"read": 0.03, "segment": 0.62, "fit": 0.2, "track": 0.14, "write": 0.01}
+"""Share of each step in the time of a whole run, for the progress bar."""
+
+
+@dataclass(frozen=True)
+class Feedback:
+    """Where a step's messages go, and who may end it.
+
+    Attributes
+    ----------
+    progress
+        Share done, 0 to 1, and what is being done.
+    info, warning
+        One sentence for the log.
+    is_cancelled
+        Asked often; True ends the run with :class:`Cancelled`.
+    """
+
+    progress: Callable[[float, str], None] = lambda fraction, message: None
+    info: Callable[[str], None] = lambda message: None
+    warning: Callable[[str], None] = lambda message: None
+    is_cancelled: Callable[[], bool] = lambda: False
+
+    def part(self, first: float, last: float) -> Feedback:
+        """Feedback whose progress fills only a part of this one's."""
+        return replace(self, progress=lambda fraction, message: self.progress(first + (last - first) * fraction, message))
+
+    def check(self) -> None:
+        """End here if the user wants it."""
+        if self.is_cancelled():
+            raise Cancelled("cancelled")
+
+
+@dataclass(frozen=True)
+class RunOptions:
+    """How a run is carried out; nothing here changes its result but the seed.
+
+    Attributes
+    ----------
+    workers
+        Local processes; 0 takes one per core.
+    scheduler
+        Address of a dask scheduler instead.
+    resume
+        Keep finished blocks beside the output and use those of an earlier, interrupted run.
+    seed
+        Of the random draws.
+    """
+
+    workers: int = 0
+    scheduler: str | None = None
+    resume: bool = False
+    seed: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class EpochPlan:
+    """An epoch with its checked tiles and the blocks it is cut into."""
+
+    epoch: Epoch
+    tiles: tuple[TileInfo, ...]
+    blocks: tuple[Block, ...]
+
+    @property
+    def points(self) -> int:
+        """Points of all tiles."""
+        return sum(tile.points for tile in self.tiles)
+
+
+@dataclass(frozen=True, eq=False)
+class EpochUnits:
+    """Units of one epoch, in the frame of its cloud.
+
+    Attributes
+    ----------
+    plan
+        The epoch.
+    table
+        Arrays by column, one row per unit in order of easting; ``poses`` (k, 12) are absolute. See :mod:`block_jobs`.
+    places
+        (k, 2) number of the file in ``files`` and row in it that hold each unit's points.
+    files
+        Results of the blocks' jobs.
+    """
+
+    plan: EpochPlan
+    table: Mapping[str, NDArray[Any]]
+    places: NDArray[np.int64]
+    files: tuple[Path, ...]
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+    def pose(self, row: int) -> Pose:
+        """Absolute pose of a unit in the frame of the cloud."""
+        values = self.table["poses"][row]
+        return Pose(values[:3], values[3:].reshape(3, 3))
+
+    def points(self) -> Iterator[tuple[int, FloatArray, NDArray[np.uint16]]]:
+        """Row, (n, 3) absolute points and (n,) source ids of every unit, file by file."""
+        for number, path in enumerate(self.files):
+            rows = np.flatnonzero(self.places[:, 0] == number)
+            arrays = load_arrays(path) if len(rows) else None
+            if arrays is None:
+                continue
+            for row in rows:
+                own = slice(arrays["offsets"][self.places[row, 1]], arrays["offsets"][self.places[row, 1] + 1])
+                yield int(row), arrays["points"][own] + arrays["origin"], arrays["sources"][own]
+
+
+def plan_survey(survey: Survey, feedback: Feedback | None = None) -> tuple[EpochPlan, ...]:
+    """Check the headers of all tiles, so that what is wrong is said before hours of work, and cut epochs into blocks.
+
+    Raises
+    ------
+    InputError
+        The first tile that cannot be used.
+    """
+    feedback = feedback or Feedback()
+    height = max(unit.type.height for unit in survey.units)
+    plans = []
+    total = sum(len(epoch.tiles) for epoch in survey.epochs)
+    done = 0
+    for epoch in survey.epochs:
+        tiles = []
+        for path in epoch.tiles:
+            feedback.check()
+            feedback.progress(done / total, f"checking {path.name}")
+            tile = inspect_tile(path, survey.crs, tiles_crs=epoch.tiles_crs)
+            if tile.note:
+                feedback.info(tile.note)
+            tiles.append(tile)
+            done += 1
+        plans.append(EpochPlan(epoch, tuple(tiles), plan_blocks(epoch.label, tiles, height)))
+    return tuple(plans)
+
+
+def segment_epochs(
+    survey: Survey,
+    plans: Sequence[EpochPlan],
+    record: RunRecord,
+    runner: JobRunner,
+    feedback: Feedback,
+    given: Mapping[str, Sequence[tuple[float, ...]]] | None = None,
+) -> tuple[EpochUnits, ...]:
+    """Find the units of every epoch (or take ``given`` poses by epoch label), each once.
+
+    Raises
+    ------
+    InputError
+        A tile is damaged.
+    """
+    blocks = [(plan, block) for plan in plans for block in plan.blocks]
+    jobs = [
+        SegmentJob(
+            block,
+            survey.crs,
+            plan.epoch.tiles_crs,
+            survey.units,
+            record.seed,
+            tuple(record.checksums[tile.path] for tile in block.tiles),
+            None if given is None else tuple(given.get(plan.epoch.label, ())),
+        )
+        for plan, block in blocks
+    ]
+    what = "finding units" if given is None else "collecting points"
+    files = runner.run(jobs, lambda done, total: feedback.progress(done / total, f"{what}, block {done} of {total}"))
+    heights = [unit.type.height for unit in survey.units]
+    result = []
+    for plan in plans:
+        mine = [k for k, (other, _) in enumerate(blocks) if other is plan]
+        arrays = [_loaded(files[k]) for k in mine]
+        rows = owners([(blocks[k][1].core, a) for k, a in zip(mine, arrays, strict=True)], heights)
+        result.append(_collected(plan, arrays, rows, tuple(files[k] for k in mine)))
+    return tuple(result)
+
+
+def fit_epochs(
+    survey: Survey, epochs: Sequence[EpochUnits], runner: JobRunner, feedback: Feedback
+) -> tuple[tuple[EpochUnits, ...], tuple[UnitType, ...]]:
+    """Adjust every unit to its points; with ``calibrate`` the shape is first estimated from the best-seen units, then held.
+
+    Returns the adjusted units by epoch and the geometry by type.
+    """
+    units = tuple(unit.type for unit in survey.units)
+    shape_sd = (RADIUS_TOLERANCE, GRADIENT_TOLERANCE)
+    return _fit_pass(epochs, units, shape_sd, runner, feedback), units
+
+
+def _fit_pass(
+    epochs: Sequence[EpochUnits], units: tuple[UnitType, ...], shape_sd: tuple[float, float], runner: JobRunner, feedback: Feedback
+) -> tuple[EpochUnits, ...]:
+    jobs = []
+    for epoch in epochs:
+        for number, path in enumerate(epoch.files):
+            rows = tuple(int(row) for row in np.sort(epoch.places[epoch.places[:, 0] == number, 1]))
+            jobs.append(FitJob(path, rows, units, *shape_sd))
+    files = iter(runner.run(jobs, lambda done, total: feedback.progress(done / total, f"adjusting units, block {done} of {total}")))
+    result = []
+    for epoch in epochs:
+        own = tuple(next(files) for _ in epoch.files)
+        arrays = [_loaded(path) for path in own]
+        result.append(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own))
+    return tuple(result)
+
+
+def unit_rows(epoch: EpochUnits, ids: Sequence[str], survey: Survey) -> list[dict[str, Any]]:
+    """Rows of layer ``units`` in the frame of the cloud; ``ids`` names the units in the table's order."""
+    table = epoch.table
+    fitted = "covariance" in table
+    rows = []
+    for k in range(len(epoch)):
+        pose = epoch.pose(k)
+        unit = survey.units[int(table["type"][k])].type
+        radius, gradient = (float(v) for v in table["shape"][k]) if fitted else (unit.radius, unit.gradient)
+        qx, qy, qz, qw = (float(v) for v in pose.quaternion())
+        row: dict[str, Any] = {
+            "unit_id": ids[k],
+            "epoch": epoch.plan.epoch.label,
+            "epoch_time": epoch.plan.epoch.time,
+            "unit_type": unit.name,
+            "height": unit.height,
+            "r0": radius,
+            "gradient": gradient,
+            "qx": qx,
+            "qy": qy,
+            "qz": qz,
+            "qw": qw,
+            "legs_visible": table["legs_visible"][k],
+            "coverage": table["coverage"][k],
+            "score": table["score"][k],
+            "status": str(table["status"][k]),
+            "geometry": pose.centre,
+        }
+        if fitted and np.isfinite(table["covariance"][k]).all():
+            row |= covariance_fields(table["covariance"][k]) | {"sigma0": table["sigma0"][k], "n_points": table["n_points"][k]}
+        rows.append(row)
+    return rows
+
+
+def covariance_fields(covariance: FloatArray) -> dict[str, Any]:
+    """Fields of ``units`` that follow from the (8, 8) covariance."""
+    variances = np.clip(np.diag(covariance), 0, None)
+    return {
+        "sd_e": math.sqrt(variances[0]),
+        "sd_n": math.sqrt(variances[1]),
+        "sd_h": math.sqrt(variances[2]),
+        "sd_rotation_deg": math.degrees(math.sqrt(variances[3:6].sum())),
+        "covariance": upper_triangle(covariance),
+    }
+
+
+def feature_rows(
+    unit_id: str, epoch: str, time: Any, pose: Pose, unit: UnitType, covariance: FloatArray | None, observed: Sequence[bool | None]
+) -> list[dict[str, Any]]:
+    """Rows of layer ``feature_points`` of one unit."""
+    points = feature_points(pose, unit, covariance)
+    rows = []
+    for k, name in enumerate(FEATURES):
+        row: dict[str, Any] = {
+            "unit_id": unit_id,
+            "epoch": epoch,
+            "epoch_time": time,
+            "feature": name,
+            "observed": observed[k],
+            "geometry": points.positions[k],
+        }
+        if covariance is not None:
+            c = points.covariances[k]
+            sds = np.sqrt(np.clip(np.diag(c), 0, None))
+            row |= {"sd_e": sds[0], "sd_n": sds[1], "sd_h": sds[2], "cov_en": c[0, 1], "cov_eh": c[0, 2], "cov_nh": c[1, 2]}
+        rows.append(row)
+    return rows
+
+
+def epoch_row(
+    plan: EpochPlan, record: RunRecord, transformation: Mapping[str, Any] | None, sigma0: float | None, extra: Mapping[str, Any]
+) -> dict[str, Any]:
+    """Row of layer ``epochs``; no transformation means that the cloud's own frame was kept."""
+    return {
+        "label": plan.epoch.label,
+        "time": plan.epoch.time,
+        "tiles": json.dumps([tile.path.name for tile in plan.tiles]),
+        "points": plan.points,
+        "transformation": None if transformation is None else json.dumps(transformation),
+        "sigma0": sigma0,
+        "software": f"tetratrack {software_version()}",
+        "settings": record.of_epoch(plan.epoch, extra),
+    }
+
+
+def write_result(path: str | Path, survey_crs: str, tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> None:
+    """Write a result with the shipped QGIS styles."""
+    styles = {style.stem: style.read_text(encoding="utf-8") for style in sorted(STYLES.glob("*.qml"))}
+    write_geopackage(path, survey_crs, tables, styles=styles)
+
+
+@contextmanager
+def job_runner(output: Path, options: RunOptions, feedback: Feedback) -> Iterator[JobRunner]:
+    """A runner whose files are kept beside the output with ``resume`` and vanish otherwise.
+
+    Raises
+    ------
+    OutputError
+        Another run is writing this output.
+    """
+    workers = options.workers or os.cpu_count() or 1
+    target = output.absolute()
+    with _sole_writer(target):
+        if options.resume:
+            folder = target.with_name(f"{target.name}.jobs")
+            try:
+                folder.mkdir(exist_ok=True)
+            except OSError as error:
+                raise OutputError(
+                    f"cannot be made ({error.strerror})", source=folder, remedy="Check the folder's permissions and free space."
+                ) from error
+            yield JobRunner(folder, workers, options.scheduler, feedback.is_cancelled)
+            return
+        # workers of a cluster see the folder of the output, and nothing else for sure
+        place = target.parent if options.scheduler else None
+        with tempfile.TemporaryDirectory(prefix=".tetratrack-", dir=place) as temporary:
+            yield JobRunner(Path(temporary), workers, options.scheduler, feedback.is_cancelled)
+
+
+@contextmanager
+def _sole_writer(target: Path) -> Iterator[None]:
+    """Hold a lock in the system's temporary folder that ends with the process, however that ends."""
+    name = f"tetratrack-{hashlib.sha256(str(target).encode()).hexdigest()[:24]}.lock"
+    handle = os.open(Path(tempfile.gettempdir()) / name, os.O_RDWR | os.O_CREAT, 0o666)
+    try:
+        try:
+            if sys.platform == "win32":
+                import msvcrt
+
+                msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
+            else:
+                import fcntl
+
+                fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            raise OutputError(
+                "is being written by another run", source=target, remedy="Wait for it, or give this run another --output."
+            ) from error
+        yield
+    finally:
+        os.close(handle)
+
+
+def _loaded(path: Path) -> dict[str, NDArray[Any]]:
+    arrays = load_arrays(path)
+    if arrays is None:
+        raise InputError("vanished while the run was using it", source=path, remedy="Run again, and leave the folder alone meanwhile.")
+    return arrays
+
+
+def _collected(
+    plan: EpochPlan, arrays: Sequence[Mapping[str, NDArray[Any]]], rows: Sequence[NDArray[np.int64]], files: tuple[Path, ...]
+) -> EpochUnits:
+    """Units of all blocks in one table, poses absolute, ordered by easting and northing."""
+    skip = {"origin", "points", "sources", "offsets"}
+    table = {name: np.concatenate([a[name][r] for a, r in zip(arrays, rows, strict=True)]) for name in arrays[0] if name not in skip}
+    table["poses"] = table["poses"].copy()
+    table["poses"][:, :3] += np.concatenate([np.tile(a["origin"], (len(r), 1)) for a, r in zip(arrays, rows, strict=True)])
+    places = np.concatenate([np.column_stack([np.full(len(r), k), r]) for k, r in enumerate(rows)]).astype(np.int64)
+    order = np.lexsort((table["poses"][:, 1], table["poses"][:, 0]))
+    return EpochUnits(plan, {name: values[order] for name, values in table.items()}, places[order], files)
+
+
+def register_epochs(survey: Survey, feedback: Feedback) -> dict[str, Registration]:
+    """Registration of every epoch that has control, by label.
+
+    Raises
+    ------
+    InputError
+        Control or targets cannot be used.
+    """
+    from .control import read_control, read_targets, register
+
+    found = {}
+    for epoch in survey.epochs:
+        if epoch.control is None or epoch.targets is None:
+            continue
+        feedback.check()
+        found[epoch.label] = register(read_control(epoch.control), read_targets(epoch.targets))
+    return found
+
+
+def control_rows(epoch: str, registration: Registration) -> list[dict[str, Any]]:
+    """Rows of layer ``control_residuals``."""
+    return [
+        {
+            "point_id": r.point_id,
+            "epoch": epoch,
+            "ve": r.residual[0],
+            "vn": r.residual[1],
+            "vh": r.residual[2],
+            "w_max": r.w_max,
+            "used": r.used,
+            "outlier": r.outlier,
+            "geometry": r.position,
+        }
+        for r in registration.residuals
+    ]
+
+
+def provisional_ids(count: int) -> list[str]:
+    """Names of units in order of easting, where no other epoch says otherwise."""
+    return [f"U{k + 1:04d}" for k in range(count)]
+
+
+def run_inspect(paths: Sequence[Path], output: Path | None, feedback: Feedback) -> dict[str, Any]:
+    """Step ``inspect``: extent, CRS, number and density of points of tiles, as a table and, with ``output``, a layer ``tiles``.
+
+    Raises
+    ------
+    InputError
+        A tile that cannot be read.
+    """
+    tiles = []
+    for k, path in enumerate(paths):
+        feedback.check()
+        tile = inspect_tile(path, None)
+        tiles.append(tile)
+        feedback.progress((k + 1) / len(paths), f"checked {path.name}")
+    if output is not None:
+        write_tile_index(output, tiles)
+    names = [tile.crs for tile in tiles]
+    return {
+        "tiles": len(tiles),
+        "points": sum(tile.points for tile in tiles),
+        "density": float(np.median([tile.density for tile in tiles])),
+        "crs": max(sorted(set(names)), key=names.count),
+        "table": [
+            {
+                "tile": tile.path.name,
+                "points": tile.points,
+                "density": round(tile.density, 1),
+                "crs": tile.crs if len(tile.crs) < 20 else f"{tile.crs[:19]}…",
+                "extent": " ".join(f"{low:.2f}..{high:.2f}" for low, high in zip(tile.low, tile.high, strict=True)),
+            }
+            for tile in tiles
+        ],
+    }
+
+
+def write_tile_index(path: Path, tiles: Sequence[TileInfo]) -> None:
+    """Write one rectangle per tile to the layer ``tiles`` of a new GeoPackage, replacing an earlier one.
+
+    Raises
+    ------
+    OutputError
+        The file cannot be written.
+    """
+    import geopandas
+    import shapely
+    from pyogrio.errors import DataSourceError
+
+    frame = geopandas.GeoDataFrame(
+        {
+            "file": [str(tile.path) for tile in tiles],
+            "points": [tile.points for tile in tiles],
+            "density": [tile.density for tile in tiles],
+            "height_min": [tile.low[2] for tile in tiles],
+            "height_max": [tile.high[2] for tile in tiles],
+            "crs": [tile.crs for tile in tiles],
+            "las_version": [tile.version for tile in tiles],
+            "point_format": [tile.point_format for tile in tiles],
+            "copc": [tile.copc for tile in tiles],
+        },
+        geometry=[shapely.box(tile.low[0], tile.low[1], tile.high[0], tile.high[1]) for tile in tiles],
+        crs=next((tile.crs for tile in tiles if tile.crs not in ("", "LOCAL")), None),
+    )
+    with temporary_beside(path.absolute()) as temporary:
+        temporary.unlink()
+        try:
+            frame.to_file(temporary, layer="tiles", driver="GPKG", engine="pyogrio")
+        except (DataSourceError, OSError) as error:
+            raise OutputError("cannot be written", source=path, remedy="Check the folder's permissions and free space.") from error
+        replace_durably(temporary, path.absolute())
+
+
+def run_register(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
+    """Step ``register``: transformation of each epoch's cloud to survey control, and the residuals."""
+    check_output(output)
+    plans = plan_survey(survey, feedback.part(0, 0.5))
+    record = record_run(survey, options.seed, {"step": "register"})
+    registrations = register_epochs(survey, feedback)
+    if not registrations:
+        raise InputError("no epoch names control and targets", source=survey.path, remedy="Add control and targets to an [[epoch]].")
+    tables: Tables = {"control_residuals": [], "epochs": []}
+    squares, outliers = [], 0
+    for plan in plans:
+        registration = registrations.get(plan.epoch.label)
+        if registration is None:
+            tables["epochs"].append(epoch_row(plan, record, None, None, {}))
+            continue
+        for note in registration.notes:
+            feedback.info(f"{plan.epoch.label}: {note}")
+        tables["control_residuals"] += control_rows(plan.epoch.label, registration)
+        transformation = registration.transformation.as_record()
+        tables["epochs"].append(epoch_row(plan, record, transformation, registration.sigma0, {"redundancy": registration.redundancy}))
+        squares += [float(np.sum(r.residual**2)) for r in registration.residuals if r.used]
+        outliers += len(registration.excluded)
+    write_result(output, survey.crs, tables)
+    return {"output": str(output), "rmse": math.sqrt(sum(squares) / len(squares)), "outliers": outliers}
+
+
+def run_features(units: Path, output: Path, feedback: Feedback) -> dict[str, Any]:
+    """Step ``features``: feature points with covariance from a layer ``units`` of any GeoPackage."""
+    check_output(output)
+    tables: Tables = {"units": [], "feature_points": []}
+    for row in read_units(units):
+        feedback.check()
+        row = {name: _plain(value) for name, value in row.items() if name in {*LAYERS["units"].names, "geometry"}}
+        tables["units"].append(row)
+        if row["geometry"] is None:
+            continue
+        pose = Pose.from_quaternion(row["geometry"], [row["qx"], row["qy"], row["qz"], row["qw"]])
+        unit = _unit_of(row, units)
+        covariance = from_upper_triangle(row["covariance"]) if row.get("covariance") else None
+        tables["feature_points"] += feature_rows(
+            str(row["unit_id"]), str(row["epoch"]), row.get("epoch_time"), pose, unit, covariance, [None] * len(FEATURES)
+        )
+    write_result(output, crs_of_layer(units), tables)
+    return {"output": str(output), "features": len(tables["feature_points"])}
+
+
+def crs_of_layer(path: Path) -> str:
+    """CRS of the layer ``units`` of a GeoPackage, as survey.toml writes it."""
+    import pyogrio
+
+    return str(pyogrio.read_info(path, layer="units")["crs"] or "LOCAL")
+
+
+def _plain(value: Any) -> Any:
+    """A cell as the writers take it: numpy's missing values become None, its times aware datetimes."""
+    if isinstance(value, np.datetime64):
+        return None if np.isnat(value) else value.astype("datetime64[ms]").item().replace(tzinfo=UTC)
+    if isinstance(value, float | np.floating) and math.isnan(value):
+        return None
+    return value
+
+
+def _unit_of(row: Mapping[str, Any], source: Path) -> UnitType:
+    """Geometry of a row of ``units``."""
+    values = [row.get(name) for name in ("height", "r0", "gradient")]
+    if any(value is None for value in values):
+        raise InputError(
+            f"unit {row['unit_id']} has no height, r0 or gradient", source=source, remedy="Give a result of tetratrack fit or run."
+        )
+    return UnitType.tetrapod(float(values[0]), radius=float(values[1]), gradient=float(values[2]))  # type: ignore[arg-type]
+
+
+def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
+    """Step ``segment``: units with approximate poses, in the frame of each epoch's cloud."""
+    check_output(output)
+    plans = plan_survey(survey, feedback.part(0, 0.05))
+    record = record_run(survey, options.seed, {"step": "segment"})
+    with job_runner(output, options, feedback) as runner:
+        epochs = segment_epochs(survey, plans, record, runner, feedback.part(0.05, 0.98))
+        tables: Tables = {"units": [], "epochs": []}
+        for epoch in epochs:
+            tables["units"] += unit_rows(epoch, provisional_ids(len(epoch)), survey)
+            tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {}))
+        feedback.check()
+        write_result(output, survey.crs, tables)
+    return {"output": str(output), "units": sum(int((e.table["status"] == "found").sum()) for e in epochs), "epochs": len(epochs)}
+
+
+def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
+    """Step ``fit``: adjusted units and feature points in the frame of each epoch's cloud, from given poses or from the points alone."""
+    check_output(output)
+    given = None if units is None else read_poses(units, survey)
+    plans = plan_survey(survey, feedback.part(0, 0.05))
+    record = record_run(survey, options.seed, {"step": "fit"})
+    with job_runner(output, options, feedback) as runner:
+        found = segment_epochs(survey, plans, record, runner, feedback.part(0.05, 0.6), given)
+        epochs, _ = fit_epochs(survey, found, runner, feedback.part(0.6, 0.98))
+        tables: Tables = {"units": [], "feature_points": [], "epochs": []}
+        for epoch in epochs:
+            ids = provisional_ids(len(epoch))
+            tables["units"] += unit_rows(epoch, ids, survey)
+            for k, name in enumerate(ids):
+                tables["feature_points"] += _feature_rows_of(epoch, k, name, survey)
+            tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {}))
+        feedback.check()
+        write_result(output, survey.crs, tables)
+    return {"output": str(output), "units": sum(len(e) for e in epochs), "epochs": len(epochs)}
+
+
+def _feature_rows_of(epoch: EpochUnits, row: int, unit_id: str, survey: Survey) -> list[dict[str, Any]]:
+    table = epoch.table
+    covariance = table["covariance"][row]
+    known = bool(np.isfinite(covariance).all())
+    unit = survey.units[int(table["type"][row])].type.with_shape(*table["shape"][row])
+    return feature_rows(
+        unit_id,
+        epoch.plan.epoch.label,
+        epoch.plan.epoch.time,
+        epoch.pose(row),
+        unit,
+        covariance if known else None,
+        [bool(v) for v in table["observed"][row]],
+    )
+
+
+def read_poses(path: Path, survey: Survey) -> dict[str, list[tuple[float, ...]]]:
+    """Poses of a layer ``units`` by epoch: type of unit, centre and row-major rotation, as :class:`SegmentJob` takes them.
+
+    Raises
+    ------
+    InputError
+        The file has no such layer or field.
+    """
+    kinds = {unit.type.name: k for k, unit in enumerate(survey.units)}
+    poses: dict[str, list[tuple[float, ...]]] = {epoch.label: [] for epoch in survey.epochs}
+    for row in read_units(path):
+        if row["geometry"] is None:
+            continue
+        if row["epoch"] not in poses:
+            raise InputError(f"names the epoch {row['epoch']!r}", source=path, remedy=f"Epochs of the survey: {', '.join(poses)}.")
+        pose = Pose.from_quaternion(row["geometry"], [row["qx"], row["qy"], row["qz"], row["qw"]])
+        poses[row["epoch"]].append((float(kinds.get(row.get("unit_type", ""), 0)), *pose.centre.tolist(), *pose.rotation.ravel().tolist()))
+    return poses
+
+
+def read_units(path: Path) -> list[dict[str, Any]]:
+    """Rows of the layer ``units`` of any GeoPackage, with ``geometry`` (3,) or None.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, or has no such layer or field.
+    """
+    import pyogrio
+    import shapely
+    from pyogrio.errors import DataLayerError, DataSourceError
+
+    try:
+        meta, _, geometry, columns = pyogrio.raw.read(path, layer="units")
+    except (DataSourceError, DataLayerError) as error:
+        raise InputError("has no readable layer units", source=path, remedy="Give a result of tetratrack segment, fit or run.") from error
+    names = list(meta["fields"])
+    missing = [name for name in ("epoch", "qx", "qy", "qz", "qw") if name not in names]
+    if missing:
+        raise InputError(
+            f"layer units has no field {', '.join(missing)}", source=path, remedy="Give a result of tetratrack segment, fit or run."
+        )
+    shapes = shapely.from_wkb(geometry)
+    places = [None if shape is None or shape.is_empty else shapely.get_coordinates(shape, include_z=True)[0] for shape in shapes]
+    return [dict(zip(names, values, strict=True)) | {"geometry": place} for *values, place in zip(*columns, places, strict=True)]

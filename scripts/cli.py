@@ -1,0 +1,305 @@
+"""The console command ``tetratrack``: one subcommand for each step, and ``run`` for all. Heavy libraries are imported by the step
+that needs them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from .console import Console, execute
+
+if TYPE_CHECKING:
+    from ..core.unit_types import UnitType
+    from ..core.workflow import Feedback
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    help="Displacements of tetrapod armour units from LAS/LAZ point clouds, with survey control.",
+)
+
+SurveyFile = Annotated[Path, typer.Argument(metavar="SURVEY.toml", help="What was surveyed; see: tetratrack template", show_default=False)]
+ResultFile = Annotated[Path, typer.Argument(metavar="RESULT.gpkg", help="Result of an earlier step", show_default=False)]
+Output = Annotated[Path, typer.Option("--output", "-o", help="File to write", show_default=False)]
+Workers = Annotated[int, typer.Option("--workers", "-j", min=0, help="Local processes; 0 takes one per core")]
+Scheduler = Annotated[str | None, typer.Option("--scheduler", help="Address of a dask scheduler, e.g. tcp://host:8786")]
+Resume = Annotated[bool, typer.Option("--resume", help="Keep finished blocks in OUTPUT.jobs/ and use those of an interrupted run")]
+Seed = Annotated[int, typer.Option("--seed", help="Seed of the random draws")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but the result and errors")]
+LogFile = Annotated[Path | None, typer.Option("--log-file", help="Append every line with its time to this file")]
+JsonProgress = Annotated[bool, typer.Option("--json-progress", help="One JSON object a line on standard output, for other programs")]
+UnitName = Annotated[str, typer.Option("--unit", help='Type of unit, "tetrapod" or e.g. "tetrapod 8 t"')]
+Height = Annotated[float | None, typer.Option("--height", min=1e-6, help="Nominal height H, metres")]
+Radius = Annotated[float | None, typer.Option("--radius", min=1e-6, help="Leg cone radius at the unit's centre, metres")]
+Gradient = Annotated[float | None, typer.Option("--gradient", min=1e-6, help="Loss of radius per metre of leg")]
+LegLength = Annotated[float | None, typer.Option("--leg-length", min=1e-6, help="Centre to end disc, metres")]
+Opening = Annotated[str, typer.Option("--opening", help="tetrahedral or paper")]
+
+
+def _run(quiet: bool, log_file: Path | None, json_progress: bool, step: Callable[[Feedback], dict[str, Any]]) -> None:
+    """Run a step with its messages going to the console, and leave with its exit code."""
+
+    def with_feedback(console: Console) -> dict[str, Any]:
+        from ..core.workflow import Feedback
+
+        return step(Feedback(console.progress, console.info, console.warning))
+
+    raise typer.Exit(execute(Console(quiet, log_file, json_progress), with_feedback))
+
+
+@app.command()
+def run(
+    survey: SurveyFile,
+    output: Output,
+    workers: Workers = 0,
+    scheduler: Scheduler = None,
+    resume: Resume = False,
+    seed: Seed = 0,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """All steps: tiles to units, feature points, registration and displacements."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.survey import read_survey
+        from ..core.workflow import RunOptions, run_survey
+
+        return run_survey(read_survey(survey), output, RunOptions(workers, scheduler, resume, seed), feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def inspect(
+    tiles: Annotated[list[Path], typer.Argument(metavar="TILES...", help="LAS/LAZ/COPC files, or a survey.toml", show_default=False)],
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="GeoPackage for a layer of the tiles' extents")] = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Extent, CRS, number and density of points of tiles."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.survey import read_survey
+        from ..core.workflow import plan_survey, run_inspect
+
+        paths: list[Path] = []
+        for tile in tiles:
+            if tile.suffix.lower() == ".toml":
+                survey = read_survey(tile)
+                plan_survey(survey, feedback)
+                paths += [path for epoch in survey.epochs for path in epoch.tiles]
+            else:
+                paths.append(tile)
+        return run_inspect(paths, output, feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def segment(
+    survey: SurveyFile,
+    output: Output,
+    workers: Workers = 0,
+    scheduler: Scheduler = None,
+    resume: Resume = False,
+    seed: Seed = 0,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Find the units of every epoch: approximate poses, in the frame of the epoch's cloud."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.survey import read_survey
+        from ..core.workflow import RunOptions, run_segment
+
+        return run_segment(read_survey(survey), output, RunOptions(workers, scheduler, resume, seed), feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def fit(
+    survey: SurveyFile,
+    output: Output,
+    units: Annotated[
+        Path | None, typer.Option("--units", help="GeoPackage with approximate poses in layer units; without it units are found")
+    ] = None,
+    workers: Workers = 0,
+    scheduler: Scheduler = None,
+    resume: Resume = False,
+    seed: Seed = 0,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Adjust every unit to its points (Gauss-Helmert), in the frame of the epoch's cloud."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.survey import read_survey
+        from ..core.workflow import RunOptions, run_fit
+
+        return run_fit(read_survey(survey), units, output, RunOptions(workers, scheduler, resume, seed), feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def features(
+    units: ResultFile, output: Output, quiet: Quiet = False, log_file: LogFile = None, json_progress: JsonProgress = False
+) -> None:
+    """Feature points with covariance from adjusted units."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.workflow import run_features
+
+        return run_features(units, output, feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def register(
+    survey: SurveyFile, output: Output, quiet: Quiet = False, log_file: LogFile = None, json_progress: JsonProgress = False
+) -> None:
+    """Register every epoch's cloud to survey control."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.survey import read_survey
+        from ..core.workflow import RunOptions, run_register
+
+        return run_register(read_survey(survey), output, RunOptions(), feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def simulate(
+    output: Annotated[Path, typer.Option("--output", "-o", help="Folder to make", show_default=False)],
+    instrument: Annotated[str, typer.Option("--instrument", help="uav, tls, photogrammetry or depth_camera")] = "uav",
+    name: Annotated[str, typer.Option("--name", help="Name of the survey")] = "simulated",
+    units: Annotated[int, typer.Option("--units", min=0, help="Units of the first epoch")] = 75,
+    epochs: Annotated[int, typer.Option("--epochs", min=1, help="Number of epochs")] = 2,
+    density: Annotated[float | None, typer.Option("--density", min=0, help="Points per m2; default and 0: the instrument's own")] = None,
+    noise: Annotated[
+        float | None, typer.Option("--noise", min=0, help="Range noise in metres; default and 0: the instrument's own")
+    ] = None,
+    unit: UnitName = "tetrapod",
+    height: Height = None,
+    radius: Radius = None,
+    gradient: Gradient = None,
+    leg_length: LegLength = None,
+    opening: Opening = "tetrahedral",
+    calibrate: Annotated[str, typer.Option("--calibrate", hidden=True)] = "",
+    seed: Seed = 0,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Simulate a survey of a pile of units, with ground truth."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.virtual_survey import SurveyPlan, simulate_survey
+
+        shape = _unit(unit, height or (None if unit.strip().lower() != "tetrapod" else 2.3), radius, gradient, leg_length, opening)
+        plan = SurveyPlan(
+            name,
+            instrument,  # type: ignore[arg-type]  # checked there
+            units,
+            shape.height,
+            epochs,
+            seed,
+            density or None,
+            noise or None,
+            radius=radius,
+            gradient=gradient,
+        )
+        return {"survey": str(simulate_survey(plan, output, feedback.progress))}
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def plan(
+    density: Annotated[float, typer.Option("--density", help="Points per m2 of a surface that faces the instrument", show_default=False)],
+    noise: Annotated[float, typer.Option("--noise", help="Noise of a point along the surface normal, metres", show_default=False)],
+    visible: Annotated[float, typer.Option("--visible", help="Share of a unit's surface that holds points")] = 0.3,
+    registration: Annotated[
+        float, typer.Option("--registration", help="Registration of an epoch at the unit, metres per coordinate")
+    ] = 0.0,
+    systematic: Annotated[float, typer.Option("--systematic", help="What does not average out, metres per coordinate")] = 0.0,
+    tilt: Annotated[float, typer.Option("--tilt", help="Line of sight from the vertical, degrees")] = 0.0,
+    significance: Annotated[float, typer.Option("--significance", help="Probability of a false alarm for one unit")] = 0.001,
+    power: Annotated[float, typer.Option("--power", help="Probability with which the displacement is found")] = 0.8,
+    shape_fixed: Annotated[bool, typer.Option("--shape-fixed/--shape-free", help="Radius and gradient are known and held")] = True,
+    unit: UnitName = "tetrapod",
+    height: Height = None,
+    radius: Radius = None,
+    gradient: Gradient = None,
+    leg_length: LegLength = None,
+    opening: Opening = "tetrahedral",
+    calibrate: Annotated[str, typer.Option("--calibrate", hidden=True)] = "",
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Smallest displacement that a planned survey can detect."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        import math
+
+        from ..core.errors import InputError
+        from ..core.planning import SurveyPlan, detectability
+
+        try:
+            shape = _unit(unit, height, radius, gradient, leg_length, opening)
+            survey = SurveyPlan(density, noise, visible, systematic, registration, math.radians(tilt), shape_fixed, significance, power)
+            found = detectability(shape, survey)
+        except ValueError as error:
+            raise InputError(str(error), remedy="Change the option it names.") from error
+        return {
+            "points": found.points,
+            "sd_centre": found.sd_centre,
+            "sd_rotation_deg": math.degrees(found.sd_rotation),
+            "sd_displacement": found.sd_displacement,
+            "detectable_worst": found.detectable_worst,
+            "detectable_mean": found.detectable_mean,
+            "detectable_rotation_deg": math.degrees(found.detectable_rotation),
+        }
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def template() -> None:
+    """Print a survey.toml to fill in."""
+    from ..core.survey import template as text
+
+    typer.echo(text(), nl=False)
+
+
+def _unit(
+    name: str, height: float | None, radius: float | None, gradient: float | None, leg_length: float | None, opening: str
+) -> UnitType:
+    """Unit type from options, checked as [unit] of survey.toml is."""
+    from ..core.survey import unit_from_keys
+
+    return unit_from_keys(
+        {"type": name, "height": height, "radius": radius, "gradient": gradient, "leg_length": leg_length, "opening": opening}
+    )
+
+
+def main() -> None:
+    """Entry point of the console command."""
+    app()
+
+
+if __name__ == "__main__":
+    main()
