@@ -82,12 +82,15 @@ def refine(
     tolerance: float, *, most: int = 500, sweeps: int = 12,
 ) -> FloatArray:  # fmt: skip
     """Robust least squares of each (12,) pose to the active points around it, tolerance narrowing from 4 to 1.5 times."""
-    if not len(poses):
-        return poses
-    return _refine(
-        poses, points, normals, active, grid.start, grid.order, grid.origin, grid.size, grid.cell,
-        unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance, most, sweeps,
-    )  # fmt: skip
+    out = poses.copy()
+    shape = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance)
+    cells = (grid.start, grid.order, grid.origin, grid.size, grid.cell)
+    if len(out) > 4:
+        _refine_many(out, points, normals, active, *cells, *shape, most, sweeps)
+    else:
+        for pose in out:
+            _refine_one(pose, points, normals, active, *cells, *shape, most, sweeps)
+    return out
 
 
 def evidence(
@@ -100,12 +103,14 @@ def evidence(
     (active or not) deep within the solid, CELLS the surface cells (of 132) holding support, LEGS legs with at least two such cells,
     RMS the misfit of the support in metres, REACHED the active points near the unit.
     """
-    if not len(poses):
-        return np.zeros((0, 7))
-    return _evidence(
-        poses, points, normals, sign, active, grid.start, grid.order, grid.origin, grid.size, grid.cell,
-        unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance,
-    )  # fmt: skip
+    shape = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance)
+    cells = (grid.start, grid.order, grid.origin, grid.size, grid.cell)
+    if len(poses) > 4:
+        return _evidence_of_many(poses, points, normals, sign, active, *cells, *shape)
+    table = np.zeros((len(poses), 7))
+    for pose, row in zip(poses, table, strict=True):
+        _evidence_of_one(row, pose, points, normals, sign, active, *cells, *shape)
+    return table
 
 
 @njit(cache=True)
@@ -167,7 +172,7 @@ def _twist_search(
                 for q in range(m):
                     x = ca * local[q, 0] + sa * local[q, 1]
                     y = -sa * local[q, 0] + ca * local[q, 1]
-                    leg, dist, part, axial, rho = _relate(x, y, local[q, 2] - shift, legs, radius, gradient, length)
+                    _, dist, part, _, _ = _relate(x, y, local[q, 2] - shift, legs, radius, gradient, length)
                     if dist < -2.5 * tolerance:
                         total -= 1.0
                     elif dist < 2.0 * tolerance and part < 2:
@@ -196,97 +201,120 @@ def _twist_search(
 
 
 @njit(cache=True, parallel=True)
-def _refine(
+def _refine_many(
     poses: Any, points: Any, normals: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
     legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float, most: int, sweeps: int,
-) -> Any:  # fmt: skip
-    out = poses.copy()
-    cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
+) -> None:  # fmt: skip
     for i in prange(len(poses)):
-        near = gather(points, active, poses[i, 0:3], 0.8 * height, start, order, origin, size, cell, most)
-        m = len(near)
-        centre = poses[i, 0:3].copy()
-        rot = poses[i, 3:12].copy().reshape(3, 3)
-        row = np.empty(6)
-        for sweep in range(sweeps):
-            limit = tolerance * max(1.5, 4.0 - 0.5 * sweep)
-            normal = np.zeros((6, 6))
-            right = np.zeros(6)
-            for q in range(m):
-                p = points[near[q]]
-                d = p - centre
-                x = d[0] * rot[0, 0] + d[1] * rot[1, 0] + d[2] * rot[2, 0]
-                y = d[0] * rot[0, 1] + d[1] * rot[1, 1] + d[2] * rot[2, 1]
-                z = d[0] * rot[0, 2] + d[1] * rot[1, 2] + d[2] * rot[2, 2]
-                leg, dist, part, axial, rho = _relate(x, y, z, legs, radius, gradient, length)
-                if part == 2 or abs(dist) > limit or rho < 1e-9:
-                    continue
-                if part == 1:
-                    nx, ny, nz = legs[leg, 0], legs[leg, 1], legs[leg, 2]
-                else:
-                    nx = ((x - axial * legs[leg, 0]) / rho + gradient * legs[leg, 0]) * cosine
-                    ny = ((y - axial * legs[leg, 1]) / rho + gradient * legs[leg, 1]) * cosine
-                    nz = ((z - axial * legs[leg, 2]) / rho + gradient * legs[leg, 2]) * cosine
-                gx = rot[0, 0] * nx + rot[0, 1] * ny + rot[0, 2] * nz
-                gy = rot[1, 0] * nx + rot[1, 1] * ny + rot[1, 2] * nz
-                gz = rot[2, 0] * nx + rot[2, 1] * ny + rot[2, 2] * nz
-                v = normals[near[q]]
-                if abs(gx * v[0] + gy * v[1] + gz * v[2]) < 0.75:
-                    continue
-                w = (1.0 - (dist / limit) ** 2) ** 2
-                # moving the unit by dX changes the distance by -n.dX; turning it by dw by -(d x n).dw
-                row[0], row[1], row[2] = -gx, -gy, -gz
-                row[3] = -(d[1] * gz - d[2] * gy) / height
-                row[4] = -(d[2] * gx - d[0] * gz) / height
-                row[5] = -(d[0] * gy - d[1] * gx) / height
-                for a in range(6):
-                    right[a] -= w * row[a] * dist
-                    for b in range(6):
-                        normal[a, b] += w * row[a] * row[b]
-            weight = normal[0, 0] + normal[1, 1] + normal[2, 2]
-            if weight < 5.0:
-                break
+        _refine_one(
+            poses[i], points, normals, active, start, order, origin, size, cell,
+            legs, radius, gradient, length, height, tolerance, most, sweeps,
+        )  # fmt: skip
+
+
+@njit(cache=True)
+def _refine_one(
+    pose: Any, points: Any, normals: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
+    legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float, most: int, sweeps: int,
+) -> None:  # fmt: skip
+    cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
+    near = gather(points, active, pose[0:3], 0.8 * height, start, order, origin, size, cell, most)
+    m = len(near)
+    centre = pose[0:3].copy()
+    rot = pose[3:12].copy().reshape(3, 3)
+    row = np.empty(6)
+    for sweep in range(sweeps):
+        limit = tolerance * max(1.5, 4.0 - 0.5 * sweep)
+        normal = np.zeros((6, 6))
+        right = np.zeros(6)
+        for q in range(m):
+            p = points[near[q]]
+            d = p - centre
+            x = d[0] * rot[0, 0] + d[1] * rot[1, 0] + d[2] * rot[2, 0]
+            y = d[0] * rot[0, 1] + d[1] * rot[1, 1] + d[2] * rot[2, 1]
+            z = d[0] * rot[0, 2] + d[1] * rot[1, 2] + d[2] * rot[2, 2]
+            leg, dist, part, axial, rho = _relate(x, y, z, legs, radius, gradient, length)
+            if part == 2 or abs(dist) > limit or rho < 1e-9:
+                continue
+            if part == 1:
+                nx, ny, nz = legs[leg, 0], legs[leg, 1], legs[leg, 2]
+            else:
+                nx = ((x - axial * legs[leg, 0]) / rho + gradient * legs[leg, 0]) * cosine
+                ny = ((y - axial * legs[leg, 1]) / rho + gradient * legs[leg, 1]) * cosine
+                nz = ((z - axial * legs[leg, 2]) / rho + gradient * legs[leg, 2]) * cosine
+            gx = rot[0, 0] * nx + rot[0, 1] * ny + rot[0, 2] * nz
+            gy = rot[1, 0] * nx + rot[1, 1] * ny + rot[1, 2] * nz
+            gz = rot[2, 0] * nx + rot[2, 1] * ny + rot[2, 2] * nz
+            v = normals[near[q]]
+            if abs(gx * v[0] + gy * v[1] + gz * v[2]) < 0.75:
+                continue
+            w = (1.0 - (dist / limit) ** 2) ** 2
+            # moving the unit by dX changes the distance by -n.dX; turning it by dw by -(d x n).dw
+            row[0], row[1], row[2] = -gx, -gy, -gz
+            row[3] = -(d[1] * gz - d[2] * gy) / height
+            row[4] = -(d[2] * gx - d[0] * gz) / height
+            row[5] = -(d[0] * gy - d[1] * gx) / height
             for a in range(6):
-                normal[a, a] += 2e-3 * weight / 3.0
-            step = np.linalg.solve(normal, right)
-            for a in range(3):
-                centre[a] += min(max(step[a], -0.06 * height), 0.06 * height)
-            w0 = min(max(step[3] / height, -0.12), 0.12)
-            w1 = min(max(step[4] / height, -0.12), 0.12)
-            w2 = min(max(step[5] / height, -0.12), 0.12)
-            angle = np.sqrt(w0 * w0 + w1 * w1 + w2 * w2)
-            if angle > 1e-12:
-                k0, k1, k2 = w0 / angle, w1 / angle, w2 / angle
-                sa = np.sin(angle)
-                ca = 1.0 - np.cos(angle)
-                turn = np.empty((3, 3))
-                turn[0, 0] = 1 - ca * (k1 * k1 + k2 * k2)
-                turn[0, 1] = -sa * k2 + ca * k0 * k1
-                turn[0, 2] = sa * k1 + ca * k0 * k2
-                turn[1, 0] = sa * k2 + ca * k0 * k1
-                turn[1, 1] = 1 - ca * (k0 * k0 + k2 * k2)
-                turn[1, 2] = -sa * k0 + ca * k1 * k2
-                turn[2, 0] = -sa * k1 + ca * k0 * k2
-                turn[2, 1] = sa * k0 + ca * k1 * k2
-                turn[2, 2] = 1 - ca * (k0 * k0 + k1 * k1)
-                rot = turn @ rot
-            if sweep > 5 and angle < 1e-4 and abs(step[0]) + abs(step[1]) + abs(step[2]) < 1e-4 * height:
-                break
+                right[a] -= w * row[a] * dist
+                for b in range(6):
+                    normal[a, b] += w * row[a] * row[b]
+        weight = normal[0, 0] + normal[1, 1] + normal[2, 2]
+        if weight < 5.0:
+            break
+        for a in range(6):
+            normal[a, a] += 2e-3 * weight / 3.0
+        step = np.linalg.solve(normal, right)
         for a in range(3):
-            out[i, a] = centre[a]
-            for b in range(3):
-                out[i, 3 + 3 * a + b] = rot[a, b]
-    return out
+            centre[a] += min(max(step[a], -0.06 * height), 0.06 * height)
+        w0 = min(max(step[3] / height, -0.12), 0.12)
+        w1 = min(max(step[4] / height, -0.12), 0.12)
+        w2 = min(max(step[5] / height, -0.12), 0.12)
+        angle = np.sqrt(w0 * w0 + w1 * w1 + w2 * w2)
+        if angle > 1e-12:
+            k0, k1, k2 = w0 / angle, w1 / angle, w2 / angle
+            sa = np.sin(angle)
+            ca = 1.0 - np.cos(angle)
+            turn = np.empty((3, 3))
+            turn[0, 0] = 1 - ca * (k1 * k1 + k2 * k2)
+            turn[0, 1] = -sa * k2 + ca * k0 * k1
+            turn[0, 2] = sa * k1 + ca * k0 * k2
+            turn[1, 0] = sa * k2 + ca * k0 * k1
+            turn[1, 1] = 1 - ca * (k0 * k0 + k2 * k2)
+            turn[1, 2] = -sa * k0 + ca * k1 * k2
+            turn[2, 0] = -sa * k1 + ca * k0 * k2
+            turn[2, 1] = sa * k0 + ca * k1 * k2
+            turn[2, 2] = 1 - ca * (k0 * k0 + k1 * k1)
+            rot = turn @ rot
+        if sweep > 5 and angle < 1e-4 and abs(step[0]) + abs(step[1]) + abs(step[2]) < 1e-4 * height:
+            break
+    for a in range(3):
+        pose[a] = centre[a]
+        for b in range(3):
+            pose[3 + 3 * a + b] = rot[a, b]
 
 
 @njit(cache=True, parallel=True)
-def _evidence(
+def _evidence_of_many(
     poses: Any, points: Any, normals: Any, sign: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
     legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
 ) -> Any:  # fmt: skip
     out = np.zeros((len(poses), 7))
+    for i in prange(len(poses)):
+        _evidence_of_one(
+            out[i], poses[i], points, normals, sign, active, start, order, origin, size, cell,
+            legs, radius, gradient, length, height, tolerance,
+        )  # fmt: skip
+    return out
+
+
+@njit(cache=True)
+def _evidence_of_one(
+    out: Any, pose: Any, points: Any, normals: Any, sign: Any, active: Any, start: Any, order: Any, origin: Any, size: Any,
+    cell: float, legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
+) -> None:  # fmt: skip
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
-    everything = np.ones(len(points), dtype=np.bool_)
+    low = 0.2 * height
+    reach = 0.75 * height
     first = np.empty((4, 3))
     second = np.empty((4, 3))
     for k in range(4):
@@ -294,62 +322,67 @@ def _evidence(
         e1 = np.cross(help_axis, legs[k])
         first[k] = e1 / np.sqrt(np.sum(e1 * e1))
         second[k] = np.cross(legs[k], first[k])
-    low = 0.2 * height
-    for i in prange(len(poses)):
-        near = gather(points, everything, poses[i, 0:3], 0.75 * height, start, order, origin, size, cell, 1 << 40)
-        rot = poses[i, 3:12].copy().reshape(3, 3)
-        cells = np.zeros(132, dtype=np.int64)
-        squares = 0.0
-        for q in near:
-            d = points[q] - poses[i, 0:3]
-            x = d[0] * rot[0, 0] + d[1] * rot[1, 0] + d[2] * rot[2, 0]
-            y = d[0] * rot[0, 1] + d[1] * rot[1, 1] + d[2] * rot[2, 1]
-            z = d[0] * rot[0, 2] + d[1] * rot[1, 2] + d[2] * rot[2, 2]
-            leg, dist, part, axial, rho = _relate(x, y, z, legs, radius, gradient, length)
-            if dist < -max(3.0 * tolerance, 0.03 * height):
-                out[i, 2] += 1
-                continue
-            if not active[q]:
-                continue
-            if dist < 6.0 * tolerance:
-                out[i, 6] += 1
-            if part == 2 or abs(dist) > 2.0 * tolerance or rho < 1e-9:
-                continue
-            out[i, 1] += 1
-            if part == 1:
-                nx, ny, nz = legs[leg, 0], legs[leg, 1], legs[leg, 2]
-            else:
-                nx = ((x - axial * legs[leg, 0]) / rho + gradient * legs[leg, 0]) * cosine
-                ny = ((y - axial * legs[leg, 1]) / rho + gradient * legs[leg, 1]) * cosine
-                nz = ((z - axial * legs[leg, 2]) / rho + gradient * legs[leg, 2]) * cosine
-            v = normals[q]
-            agree = nx * (rot[0, 0] * v[0] + rot[1, 0] * v[1] + rot[2, 0] * v[2])
-            agree += ny * (rot[0, 1] * v[0] + rot[1, 1] * v[1] + rot[2, 1] * v[2])
-            agree += nz * (rot[0, 2] * v[0] + rot[1, 2] * v[1] + rot[2, 2] * v[2])
-            if not (agree > 0.85 or (sign[q] == 0 and agree < -0.85)):
-                continue
-            out[i, 0] += 1
-            squares += dist * dist
-            if part == 1:
-                cells[33 * leg + 32] += 1
-            else:
-                across1 = x * first[leg, 0] + y * first[leg, 1] + z * first[leg, 2]
-                across2 = x * second[leg, 0] + y * second[leg, 1] + z * second[leg, 2]
-                az = int((np.arctan2(across2, across1) + np.pi) / (2.0 * np.pi) * 7.99999)
-                ring = int(max(0.0, min(0.99999, (axial - low) / (length - low))) * 4.0)
-                cells[33 * leg + 4 * az + ring] += 1
-        filled = 0
-        used = 0
-        for k in range(4):
-            own = 0
-            for c in range(33):
-                if cells[33 * k + c] >= 2:
-                    own += 1
-            filled += own
-            if own >= 2:
-                used += 1
-        out[i, 3] = filled
-        out[i, 4] = used
-        if out[i, 0] > 0:
-            out[i, 5] = np.sqrt(squares / out[i, 0])
-    return out
+    lo = np.empty(3, dtype=np.int64)
+    hi = np.empty(3, dtype=np.int64)
+    for a in range(3):
+        lo[a] = max(0, int(np.floor((pose[a] - reach - origin[a]) / cell)))
+        hi[a] = min(size[a] - 1, int(np.floor((pose[a] + reach - origin[a]) / cell)))
+    if hi[2] < lo[2]:
+        return
+    cells = np.zeros(132, dtype=np.int64)
+    squares = 0.0
+    for gi in range(lo[0], hi[0] + 1):
+        for gj in range(lo[1], hi[1] + 1):
+            column = (gi * size[1] + gj) * size[2]
+            for at in range(start[column + lo[2]], start[column + hi[2] + 1]):
+                q = order[at]
+                d0 = points[q, 0] - pose[0]
+                d1 = points[q, 1] - pose[1]
+                d2 = points[q, 2] - pose[2]
+                if d0 * d0 + d1 * d1 + d2 * d2 > reach * reach:
+                    continue
+                x = d0 * pose[3] + d1 * pose[6] + d2 * pose[9]
+                y = d0 * pose[4] + d1 * pose[7] + d2 * pose[10]
+                z = d0 * pose[5] + d1 * pose[8] + d2 * pose[11]
+                leg, dist, part, axial, rho = _relate(x, y, z, legs, radius, gradient, length)
+                if dist < -max(3.0 * tolerance, 0.03 * height):
+                    out[2] += 1
+                    continue
+                if not active[q]:
+                    continue
+                if dist < 6.0 * tolerance:
+                    out[6] += 1
+                if part == 2 or abs(dist) > 2.0 * tolerance or rho < 1e-9:
+                    continue
+                out[1] += 1
+                if part == 1:
+                    nx, ny, nz = legs[leg, 0], legs[leg, 1], legs[leg, 2]
+                else:
+                    nx = ((x - axial * legs[leg, 0]) / rho + gradient * legs[leg, 0]) * cosine
+                    ny = ((y - axial * legs[leg, 1]) / rho + gradient * legs[leg, 1]) * cosine
+                    nz = ((z - axial * legs[leg, 2]) / rho + gradient * legs[leg, 2]) * cosine
+                agree = nx * (pose[3] * normals[q, 0] + pose[6] * normals[q, 1] + pose[9] * normals[q, 2])
+                agree += ny * (pose[4] * normals[q, 0] + pose[7] * normals[q, 1] + pose[10] * normals[q, 2])
+                agree += nz * (pose[5] * normals[q, 0] + pose[8] * normals[q, 1] + pose[11] * normals[q, 2])
+                if not (agree > 0.85 or (sign[q] == 0 and agree < -0.85)):
+                    continue
+                out[0] += 1
+                squares += dist * dist
+                if part == 1:
+                    cells[33 * leg + 32] += 1
+                else:
+                    across1 = x * first[leg, 0] + y * first[leg, 1] + z * first[leg, 2]
+                    across2 = x * second[leg, 0] + y * second[leg, 1] + z * second[leg, 2]
+                    azimuth = int((np.arctan2(across2, across1) + np.pi) / (2.0 * np.pi) * 7.99999)
+                    ring = int(max(0.0, min(0.99999, (axial - low) / (length - low))) * 4.0)
+                    cells[33 * leg + 4 * azimuth + ring] += 1
+    for k in range(4):
+        own = 0
+        for c in range(33):
+            if cells[33 * k + c] >= 2:
+                own += 1
+        out[3] += own
+        if own >= 2:
+            out[4] += 1
+    if out[0] > 0:
+        out[5] = np.sqrt(squares / out[0])

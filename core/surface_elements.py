@@ -68,15 +68,16 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     The neighbourhood for normals grows with the noise: it must be wide enough for a steady normal and narrow enough to stay
     on one leg, whose radius is about 0.2 H.
     """
-    rng = np.random.default_rng(0)
     thinned, source = thin(points, THINNING_RATIO * height)
-    probe = rng.choice(len(points), min(len(points), 4000), replace=False)
-    spacing = float(np.median(cKDTree(points).query(points[np.sort(probe)], k=2, workers=workers)[0][:, 1])) if len(points) > 1 else 0.0
+    rng = np.random.default_rng(0)
+    raw = cKDTree(points)
+    probe = points[np.sort(rng.choice(len(points), min(len(points), 4000), replace=False))]
+    spacing = float(np.median(raw.query(probe, k=2, workers=workers)[0][:, 1])) if len(points) > 1 else 0.0
     tree = cKDTree(thinned)
     count = min(NEIGHBOURS, len(thinned))
     distance, index = tree.query(thinned, k=count, workers=workers)
     distance, index = distance.reshape(len(thinned), count), index.reshape(len(thinned), count)
-    element_noise = _noise_of(thinned, height, workers)
+    element_noise = _noise_of(thinned, tree, height, workers)
     # wanted: normal error sigma / (R/2 sqrt(n)) of about 3 degrees, n = pi R^2 / area of an element
     area = max(float(np.median(distance[:, min(6, count - 1)])) ** 2 * np.pi / 6, (0.5 * THINNING_RATIO * height) ** 2)
     wanted = np.sqrt(2 * element_noise * np.sqrt(area / np.pi) / 0.05)
@@ -87,9 +88,8 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     expected = 1 / (4 * 0.2 * height)
     oriented = (np.abs(bend) > expected / 3) & (np.abs(bend) > 2 * bend_sd)
     normals = np.where(bend[:, None] > 0, -normals, normals)
-    mean_size = len(points) / max(len(thinned), 1)
-    noise = element_noise * np.sqrt(max(1.0, mean_size))
-    return SurfaceElements(thinned, normals, oriented, flatness, source, spacing, float(noise), element_noise, radius)
+    noise = _noise_of(points, raw, height, workers)
+    return SurfaceElements(thinned, normals, oriented, flatness, source, spacing, noise, element_noise, radius)
 
 
 def thin(points: FloatArray, voxel: float) -> tuple[FloatArray, IntArray]:
@@ -106,14 +106,14 @@ def thin(points: FloatArray, voxel: float) -> tuple[FloatArray, IntArray]:
     return mean, source.astype(np.int64)
 
 
-def _noise_of(points: FloatArray, height: float, workers: int) -> float:
+def _noise_of(points: FloatArray, tree: cKDTree, height: float, workers: int) -> float:
     """Standard deviation across the surface, from quadric fits to neighbourhoods that stay on one leg."""
     rng = np.random.default_rng(1)
     chosen = rng.choice(len(points), min(len(points), 1500), replace=False)
     count = min(25, len(points))
     if count < 12:
         return 0.0
-    distance, index = cKDTree(points).query(points[np.sort(chosen)], k=count, workers=workers)
+    distance, index = tree.query(points[np.sort(chosen)], k=count, workers=workers)
     near = distance[:, -1] < 0.2 * height
     if not near.any():
         return 0.0

@@ -57,39 +57,67 @@ def select(
         return evidence(poses, elements.points, elements.normals, sign, active, grid, unit, tolerance)
 
     table = judge(candidates)
-    queue = [(-worth(row), k, 0) for k, row in enumerate(table) if plausible(row, tolerance)]
+    value = table[:, SUPPORT] - 3 * table[:, INSIDE]
+    good = np.flatnonzero([plausible(row, tolerance) for row in table])
+    good = good[np.argsort(-value[good], kind="stable")]
+    good = good[_without_copies(candidates[good], unit.symmetries, 0.08 * unit.height, np.cos(np.radians(10)))]
+    queue = [(-value[k], k, 0) for k in good]
     heapq.heapify(queue)
     poses: list[FloatArray] = []
     rows: list[FloatArray] = []
-    others = [p for p in accepted]
-    claimed = 0
     while queue:
-        value, k, seen = heapq.heappop(queue)
+        old, k, seen = heapq.heappop(queue)
         pose = candidates[k]
-        near = [p for p in others if np.sum((p[:3] - pose[:3]) ** 2) < (1.29 * unit.height) ** 2]
-        if any(np.sum((p[:3] - pose[:3]) ** 2) < (0.3 * unit.height) ** 2 for p in near):
+        if any(np.sum((p[:3] - pose[:3]) ** 2) < (0.3 * unit.height) ** 2 for p in (*accepted, *poses)):
             continue
-        if seen < claimed:
+        # only a claim made nearby since the last judgement can have changed it
+        if any(np.sum((p[:3] - pose[:3]) ** 2) < (1.5 * unit.height) ** 2 for p in poses[seen:]):
             row = judge(pose[None])[0]
             if not plausible(row, tolerance):
                 continue
-            if worth(row) < -value - 1e-9:
-                heapq.heappush(queue, (-worth(row), k, claimed))
+            if worth(row) < -old - 1e-9:
+                heapq.heappush(queue, (-worth(row), k, len(poses)))
                 continue
-        finer = refine(
-            pose[None], elements.points, elements.normals, active, grid, unit, tolerance, most=1500, sweeps=20
-        )[0]  # fmt: skip
+        finer = refine(pose[None], elements.points, elements.normals, active, grid, unit, tolerance, most=1500, sweeps=20)[0]
         row = judge(finer[None])[0]
-        if worth(row) < -value * 0.9:
+        if worth(row) < -old * 0.9:
             finer, row = pose, judge(pose[None])[0]
+        near = [p for p in (*accepted, *poses) if np.sum((p[:3] - finer[:3]) ** 2) < (1.29 * unit.height) ** 2]
         if not plausible(row, tolerance) or any(overlap(finer, p, unit) > MOST_OVERLAP for p in near):
             continue
         claim(finer, elements.points, active, unit, tolerance)
-        claimed += 1
         poses.append(finer)
         rows.append(row)
-        others.append(finer)
     return Accepted(np.array(poses).reshape(-1, 12), np.array(rows).reshape(-1, 7))
+
+
+@njit(cache=True)
+def _without_copies(poses: Any, symmetries: Any, near: float, cosine: float) -> Any:
+    """Indices of poses, best first, that are not close to a better one in centre and, up to the symmetry, in rotation."""
+    kept = np.empty(len(poses), dtype=np.int64)
+    count = 0
+    for i in range(len(poses)):
+        copy = False
+        for k in range(count):
+            j = kept[k]
+            d0, d1, d2 = poses[i, 0] - poses[j, 0], poses[i, 1] - poses[j, 1], poses[i, 2] - poses[j, 2]
+            if d0 * d0 + d1 * d1 + d2 * d2 > near * near:
+                continue
+            for s in range(len(symmetries)):
+                trace = 0.0
+                for a in range(3):
+                    for b in range(3):
+                        for c in range(3):
+                            trace += poses[i, 3 + 3 * a + b] * symmetries[s, b, c] * poses[j, 3 + 3 * a + c]
+                if 0.5 * (trace - 1.0) > cosine:
+                    copy = True
+                    break
+            if copy:
+                break
+        if not copy:
+            kept[count] = i
+            count += 1
+    return kept[:count]
 
 
 def plausible(row: FloatArray, tolerance: float) -> bool:
