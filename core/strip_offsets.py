@@ -1,0 +1,423 @@
+"""Offsets of flight strips and scanner stations, estimated jointly with the poses of all units: the units are the tie objects.
+
+Observation of point i on unit u in epoch t, from source s (LAS point_source_id), on patch k of the unit's surface:
+
+    distance(p_i - o_s; pose_ut, scale_u) = b_uk + noise
+
+with o_s the offset of the source, and b_uk the deviation of the patch from the ideal cone (mould, roughness, growth). A patch keeps
+its deviation over the epochs, so that it does not pass into displacements, and the points on one patch are rightly not counted as
+independent. Patches and poses are eliminated from the normal equations unit by unit (Foerstner and Wrobel, 2016, Photogrammetric
+Computer Vision, 15.3), which leaves a small system of the offsets alone. Offsets are pseudo-observed as zero with a standard
+deviation: an offset common to all sources of an epoch cannot be told from a shift of the cloud, and stays in the registration.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from .pose import Pose
+from .unit_types import UnitType
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
+
+AXIAL_PATCHES, AZIMUTH_PATCHES, DISC_PATCHES = 5, 10, 3
+LEG_PATCHES = AXIAL_PATCHES * AZIMUTH_PATCHES + DISC_PATCHES
+TUKEY_CONSTANT = 4.685
+HEIGHT_SPREAD = 0.003
+"""Relative standard deviation of the size of units from one set of moulds."""
+MAX_ITERATIONS = 8
+GAUGE_WEIGHT = 1e4
+"""Weight of the condition that the offsets of an epoch add up to zero, over the weight of one offset's pseudo-observation."""
+
+
+@dataclass(frozen=True, eq=False)
+class UnitSighting:
+    """A unit in one epoch.
+
+    Attributes
+    ----------
+    unit
+        Index of the physical unit, 0, 1, ...
+    epoch
+        Index of the epoch.
+    pose
+        Approximate pose, legs numbered alike in all epochs; metres, any frame common to all sightings less a reduction point.
+    points
+        (n, 3) the unit's points in that frame.
+    sources
+        (n,) flight strip or station of each point.
+    discs
+        (4,) whether the end of the leg is a plane that may be used.
+    shape
+        Geometry of the unit.
+    """
+
+    unit: int
+    epoch: int
+    pose: Pose
+    points: FloatArray
+    sources: NDArray[np.integer]
+    discs: BoolArray
+    shape: UnitType
+
+
+@dataclass(frozen=True, eq=False)
+class JointAdjustment:
+    """Result of :func:`adjust_jointly`.
+
+    Attributes
+    ----------
+    poses
+        Of each sighting, in the order given.
+    covariances
+        By unit: ((k, 6 k, 6 k) flattened to (6 k, 6 k)) covariance of the poses of the unit's sightings, in the order of
+        ``order[unit]``; e, n, h, w_e, w_n, w_h each. It holds noise, surface deviations and offsets.
+    order
+        By unit: indices of its sightings, by epoch.
+    offsets
+        (epoch, source) to (3,) offset in metres: a point less its offset is in the epoch's mean frame.
+    offset_sds
+        (epoch, source) to (3,) standard deviations.
+    noise
+        (e,) standard deviation of a point along the surface normal by epoch, metres.
+    surface_sd
+        Standard deviation of the surface deviations, metres.
+    used
+        (sightings,) points that carry weight.
+    """
+
+    poses: tuple[Pose, ...]
+    covariances: dict[int, FloatArray]
+    order: dict[int, tuple[int, ...]]
+    offsets: dict[tuple[int, int], FloatArray]
+    offset_sds: dict[tuple[int, int], FloatArray]
+    noise: FloatArray
+    surface_sd: float
+    used: IntArray
+
+
+@njit(cache=True)
+def _observe(  # type: ignore[no-untyped-def]
+    points, strip, offsets, centre, rotation, axes, across, shape, discs, margin, tip, rows, residual, patch
+):
+    """Distances, rows (de/dpose 6, de/dscale) and patch of every point of one sighting; patch -1 for points that are left out."""
+    r, c, length = shape[0], shape[1], shape[2]
+    cosine = 1.0 / math.sqrt(1.0 + c * c)
+    end_radius = r - c * length
+    for i in range(points.shape[0]):
+        s = strip[i]
+        px = points[i, 0] - offsets[s, 0] - centre[0]
+        py = points[i, 1] - offsets[s, 1] - centre[1]
+        pz = points[i, 2] - offsets[s, 2] - centre[2]
+        x = rotation[0, 0] * px + rotation[1, 0] * py + rotation[2, 0] * pz
+        y = rotation[0, 1] * px + rotation[1, 1] * py + rotation[2, 1] * pz
+        z = rotation[0, 2] * px + rotation[1, 2] * py + rotation[2, 2] * pz
+        leg = 0
+        axial = -1e300
+        for k in range(4):
+            lean = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
+            if lean > axial:
+                axial, leg = lean, k
+        ax, ay, az = axes[leg, 0], axes[leg, 1], axes[leg, 2]
+        patch[i] = -1
+        # points at a crease may belong to either leg: left out, for their distance is biased
+        at_crease = False
+        for k in range(4):
+            if k != leg:
+                qx, qy, qz = ax - axes[k, 0], ay - axes[k, 1], az - axes[k, 2]
+                if x * qx + y * qy + z * qz < margin * math.sqrt(qx * qx + qy * qy + qz * qz):
+                    at_crease = True
+        if at_crease:
+            continue
+        ux, uy, uz = x - axial * ax, y - axial * ay, z - axial * az
+        rho = math.sqrt(ux * ux + uy * uy + uz * uz) + 1e-300
+        ux, uy, uz = ux / rho, uy / rho, uz / rho
+        side = (rho - r + c * axial) * cosine
+        end = axial - length
+        if end > -margin or axial > tip:
+            if not discs[leg] or rho > end_radius - margin or end < side:
+                continue
+            nx, ny, nz = ax, ay, az
+            e = end
+            scale_row = -length
+            disc = True
+        else:
+            nx, ny, nz = (ux + c * ax) * cosine, (uy + c * ay) * cosine, (uz + c * az) * cosine
+            e = side
+            scale_row = -r * cosine
+            disc = False
+        first = ux * across[0, leg, 0] + uy * across[0, leg, 1] + uz * across[0, leg, 2]
+        second = ux * across[1, leg, 0] + uy * across[1, leg, 1] + uz * across[1, leg, 2]
+        turn = (math.atan2(second, first) / (2.0 * math.pi)) % 1.0
+        if disc:
+            patch[i] = leg * LEG_PATCHES + AXIAL_PATCHES * AZIMUTH_PATCHES + min(int(turn * DISC_PATCHES), DISC_PATCHES - 1)
+        else:
+            ring = min(max(int(axial / length * AXIAL_PATCHES), 0), AXIAL_PATCHES - 1)
+            patch[i] = leg * LEG_PATCHES + ring * AZIMUTH_PATCHES + min(int(turn * AZIMUTH_PATCHES), AZIMUTH_PATCHES - 1)
+        residual[i] = e
+        mx, my, mz = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
+        for m in range(3):
+            rows[i, m] = -(rotation[m, 0] * nx + rotation[m, 1] * ny + rotation[m, 2] * nz)
+            rows[i, m + 3] = rotation[m, 0] * mx + rotation[m, 1] * my + rotation[m, 2] * mz
+        rows[i, 6] = scale_row
+
+
+@njit(cache=True)
+def _accumulate(rows, residual, patch, strip_local, body, sigma, tukey, normal, rhs, patch_rows, patch_weight, patch_rhs, n_pose):  # type: ignore[no-untyped-def]
+    """Add one sighting to its unit's normal equations; returns the number of points with weight and their squared sum."""
+    index = np.zeros(10, dtype=np.int64)
+    value = np.zeros(10)
+    used = 0
+    square_sum = 0.0
+    for i in range(rows.shape[0]):
+        if patch[i] < 0:
+            continue
+        u = residual[i] / (sigma * tukey)
+        if abs(u) >= 1.0:
+            continue
+        w = (1.0 - u * u) ** 2 / (sigma * sigma)
+        used += 1
+        square_sum += w * residual[i] * residual[i]
+        for m in range(6):
+            index[m] = 6 * body + m
+            value[m] = rows[i, m]
+        index[6] = n_pose
+        value[6] = rows[i, 6]
+        for m in range(3):
+            index[7 + m] = n_pose + 1 + 3 * strip_local[i] + m
+            value[7 + m] = rows[i, m]
+        k = patch[i]
+        patch_weight[k] += w
+        patch_rhs[k] -= w * residual[i]
+        for a in range(10):
+            wa = w * value[a]
+            rhs[index[a]] -= wa * residual[i]
+            patch_rows[k, index[a]] += wa
+            for b in range(10):
+                normal[index[a], index[b]] += wa * value[b]
+    return used, square_sum
+
+
+def adjust_jointly(sightings: Sequence[UnitSighting], *, offset_sd: float | None = None, scale_sd: float = HEIGHT_SPREAD) -> JointAdjustment:
+    """Adjust the poses of all units in all epochs together with the offsets of strips or stations.
+
+    Parameters
+    ----------
+    sightings
+        Units as identified over the epochs; a unit has at most one sighting an epoch.
+    offset_sd
+        A priori standard deviation of an offset in metres, 0 to estimate none; None for the noise of the epoch.
+    scale_sd
+        Relative spread of unit sizes; 0 holds the size.
+    """
+    solver = _JointSolver(sightings, offset_sd, scale_sd)
+    return solver.solve()
+
+
+class _JointSolver:
+    """State of the joint adjustment."""
+
+    def __init__(self, sightings: Sequence[UnitSighting], offset_sd: float | None, scale_sd: float) -> None:
+        self.sightings = list(sightings)
+        self.scale_sd = max(scale_sd, 1e-9)
+        self.offset_sd = offset_sd
+        self.epochs = 1 + max((s.epoch for s in sightings), default=-1)
+        self.strips: dict[tuple[int, int], int] = {}
+        self.strip_of: list[IntArray] = []
+        for s in self.sightings:
+            ids, inverse = np.unique(s.sources, return_inverse=True)
+            numbers = np.array([self.strips.setdefault((s.epoch, int(i)), len(self.strips)) for i in ids], dtype=np.int64)
+            self.strip_of.append(numbers[inverse] if len(ids) else np.zeros(0, dtype=np.int64))
+        self.offsets = np.zeros((max(len(self.strips), 1), 3))
+        self.strip_epoch = np.array([epoch for epoch, _ in self.strips], dtype=np.int64)
+        self.order: dict[int, tuple[int, ...]] = {}
+        for k, s in sorted(enumerate(self.sightings), key=lambda item: item[1].epoch):
+            self.order[s.unit] = (*self.order.get(s.unit, ()), k)
+        self.centres = [np.array(s.pose.centre) for s in self.sightings]
+        self.rotations = [np.ascontiguousarray(s.pose.rotation) for s in self.sightings]
+        self.scales = {unit: 0.0 for unit in self.order}
+        self.noise = np.full(max(self.epochs, 1), math.nan)
+        self.surface_sd = 0.0
+        self.rows = [np.zeros((len(s.points), 7)) for s in self.sightings]
+        self.residuals = [np.zeros(len(s.points)) for s in self.sightings]
+        self.patches = [np.full(len(s.points), -1, dtype=np.int64) for s in self.sightings]
+        self.xyz = [np.ascontiguousarray(s.points, dtype=np.float64) for s in self.sightings]
+        self.used = np.zeros(len(self.sightings), dtype=np.int64)
+
+    def observe(self) -> None:
+        for k, s in enumerate(self.sightings):
+            unit = s.shape
+            grown = 1 + self.scales[s.unit]
+            shape = np.array([unit.radius * grown, unit.gradient, unit.leg_length * grown])
+            noise = self.noise[s.epoch]
+            margin = 0.03 * unit.radius if math.isnan(noise) else max(1.5 * noise, 0.01 * unit.radius)
+            first, second = across(unit)
+            _observe(
+                self.xyz[k], self.strip_of[k], self.offsets, self.centres[k], self.rotations[k], np.ascontiguousarray(unit.leg_directions),
+                np.stack([first, second]), shape, np.asarray(s.discs, dtype=np.bool_), margin, unit.leg_length * grown, self.rows[k],
+                self.residuals[k], self.patches[k],
+            )  # fmt: skip
+
+    def estimate_noise(self) -> None:
+        """Noise by epoch from residuals less their patch's median; spread of the patches beyond what noise explains."""
+        within: list[list[FloatArray]] = [[] for _ in range(self.epochs)]
+        means: list[FloatArray] = []
+        expected: list[FloatArray] = []
+        for k, s in enumerate(self.sightings):
+            good = self.patches[k] >= 0
+            if good.sum() < 10:
+                continue
+            e, p = self.residuals[k][good], self.patches[k][good]
+            limit = 6 * 1.4826 * np.median(np.abs(e))
+            keep = np.abs(e) < limit
+            e, p = e[keep], p[keep]
+            counts = np.bincount(p, minlength=4 * LEG_PATCHES)
+            sums = np.bincount(p, e, minlength=4 * LEG_PATCHES)
+            mean = sums / np.maximum(counts, 1)
+            full = counts >= 4
+            inside = full[p]
+            within[s.epoch].append((e - mean[p])[inside] * np.sqrt(counts[p] / np.maximum(counts[p] - 1, 1))[inside])
+            means.append(mean[full])
+            expected.append(1 / counts[full])
+        for epoch, parts in enumerate(within):
+            pooled = np.concatenate(parts) if parts else np.zeros(0)
+            if len(pooled):
+                self.noise[epoch] = 1.4826 * float(np.median(np.abs(pooled)))
+        if means:
+            spread, share = np.concatenate(means), np.concatenate(expected)
+            noise = float(np.nanmedian(self.noise))
+            robust = (1.4826 * float(np.median(np.abs(spread)))) ** 2
+            self.surface_sd = math.sqrt(max(robust - noise**2 * float(np.median(share)), (0.05 * noise) ** 2))
+
+    def equations(self, unit: int) -> tuple[FloatArray, FloatArray, IntArray]:
+        """Normal equations of one unit after elimination of its patches: poses, scale, then its strips (global numbers returned)."""
+        members = self.order[unit]
+        touched = np.unique(np.concatenate([self.strip_of[k] for k in members]))
+        n_pose = 6 * len(members)
+        size = n_pose + 1 + 3 * len(touched)
+        normal, rhs = np.zeros((size, size)), np.zeros(size)
+        patch_rows, patch_weight, patch_rhs = np.zeros((4 * LEG_PATCHES, size)), np.zeros(4 * LEG_PATCHES), np.zeros(4 * LEG_PATCHES)
+        for body, k in enumerate(members):
+            local = np.searchsorted(touched, self.strip_of[k])
+            sigma = float(math.hypot(self.noise[self.sightings[k].epoch], self.surface_sd))
+            self.used[k], _ = _accumulate(
+                self.rows[k], self.residuals[k], self.patches[k], local, body, self.noise[self.sightings[k].epoch],
+                TUKEY_CONSTANT * sigma / self.noise[self.sightings[k].epoch], normal, rhs, patch_rows, patch_weight, patch_rhs, n_pose,
+            )  # fmt: skip
+        total = patch_weight + 1 / self.surface_sd**2
+        seen = patch_weight > 0
+        weighted = patch_rows[seen] / total[seen, None]
+        normal -= patch_rows[seen].T @ weighted
+        rhs -= weighted.T @ patch_rhs[seen]
+        normal[n_pose, n_pose] += 1 / self.scale_sd**2
+        rhs[n_pose] -= self.scales[unit] / self.scale_sd**2
+        return normal, rhs, touched
+
+    def offset_prior(self) -> FloatArray:
+        """(3 s,) weights of the pseudo-observations."""
+        sd = self.noise[self.strip_epoch] if self.offset_sd is None else np.full(len(self.strip_epoch), max(self.offset_sd, 1e-12))
+        return np.repeat(1 / sd**2, 3)
+
+    def solve(self) -> JointAdjustment:
+        if not self.sightings:
+            return JointAdjustment((), {}, {}, {}, {}, self.noise, 0.0, self.used)
+        for iteration in range(MAX_ITERATIONS):
+            self.observe()
+            if iteration < 4:
+                self.estimate_noise()
+            blocks, reduced, reduced_rhs = self.reduce()
+            cofactor = np.linalg.inv(reduced)
+            shift = cofactor @ reduced_rhs
+            self.offsets += shift.reshape(-1, 3)
+            largest = float(np.abs(shift).max(initial=0.0))
+            for unit, (inverse, coupling, own_rhs, touched) in blocks.items():
+                columns = strip_columns(touched)
+                change = inverse @ (own_rhs - coupling @ shift[columns])
+                largest = max(largest, float(np.abs(change[:-1].reshape(-1, 6)[:, :3]).max()))
+                for body, k in enumerate(self.order[unit]):
+                    self.centres[k] = self.centres[k] + change[6 * body : 6 * body + 3]
+                    turn = Rotation.from_rotvec(change[6 * body + 3 : 6 * body + 6]).as_matrix()
+                    self.rotations[k] = np.ascontiguousarray(turn @ self.rotations[k])
+                self.scales[unit] += float(change[-1])
+            if iteration >= 2 and largest < 0.002 * float(np.nanmin(self.noise)):
+                break
+        return self.result(blocks, cofactor)
+
+    def reduce(self) -> tuple[dict[int, tuple[FloatArray, FloatArray, FloatArray, IntArray]], FloatArray, FloatArray]:
+        """Eliminate the units: their blocks, and normal matrix and right-hand side of the offsets."""
+        count = 3 * len(self.offsets)
+        weights = self.offset_prior()
+        prior = np.diag(weights)
+        for epoch in range(self.epochs):
+            columns = strip_columns(np.flatnonzero(self.strip_epoch == epoch)).reshape(-1, 3)
+            for axis in columns.T:
+                # the mean offset of an epoch is the registration's business: held at zero
+                prior[np.ix_(axis, axis)] += GAUGE_WEIGHT * weights[axis].mean() if len(axis) else 0.0
+        reduced = prior.copy()
+        reduced_rhs = -prior @ self.offsets.ravel()
+        blocks = {}
+        for unit in self.order:
+            normal, rhs, touched = self.equations(unit)
+            own = 6 * len(self.order[unit]) + 1
+            inverse = _inverse(normal[:own, :own], self.sightings[self.order[unit][0]].shape.leg_length)
+            coupling = normal[:own, own:]
+            columns = strip_columns(touched)
+            reduced[np.ix_(columns, columns)] += normal[own:, own:] - coupling.T @ inverse @ coupling
+            reduced_rhs[columns] += rhs[own:] - coupling.T @ inverse @ rhs[:own]
+            blocks[unit] = (inverse, coupling, rhs[:own], touched)
+        if reduced.shape != (count, count):
+            raise ValueError("offsets and normal equations disagree")
+        return blocks, reduced, reduced_rhs
+
+    def result(self, blocks: dict[int, tuple[FloatArray, FloatArray, FloatArray, IntArray]], cofactor: FloatArray) -> JointAdjustment:
+        covariances = {}
+        for unit, (inverse, coupling, _, touched) in blocks.items():
+            columns = strip_columns(touched)
+            lever = inverse @ coupling
+            full = inverse + lever @ cofactor[np.ix_(columns, columns)] @ lever.T
+            covariances[unit] = full[:-1, :-1]
+        poses = []
+        for centre, rotation in zip(self.centres, self.rotations):
+            u, _, vt = np.linalg.svd(rotation)
+            poses.append(Pose(centre, u @ vt))
+        sds = np.sqrt(np.diag(cofactor)).reshape(-1, 3)
+        return JointAdjustment(
+            tuple(poses),
+            covariances,
+            self.order,
+            {key: self.offsets[k] for key, k in self.strips.items()},
+            {key: sds[k] for key, k in self.strips.items()},
+            self.noise,
+            self.surface_sd,
+            self.used,
+        )
+
+
+def across(unit: UnitType) -> tuple[FloatArray, FloatArray]:
+    """Two (4, 3) sets of unit vectors that complete each leg's axis to a right-handed frame, the first towards another leg."""
+    axes = unit.leg_directions
+    other = axes[[1, 0, 0, 0]]
+    first = other - np.sum(other * axes, axis=1, keepdims=True) * axes
+    first /= np.linalg.norm(first, axis=1, keepdims=True)
+    return np.ascontiguousarray(first), np.cross(axes, first)
+
+
+def strip_columns(strips: IntArray) -> IntArray:
+    """Columns of the three offsets of each strip."""
+    return np.asarray((3 * strips[:, None] + np.arange(3)).ravel(), dtype=np.int64)
+
+
+def _inverse(normal: FloatArray, length: float) -> FloatArray:
+    """Inverse of a unit's block; a direction the points do not determine is held by a weak prior (unit's size, a full turn)."""
+    poses = (len(normal) - 1) // 6
+    prior = np.array(([1 / length**2] * 3 + [1.0] * 3) * poses + [0.0])
+    return np.asarray(np.linalg.inv(normal + np.diag(prior)))
