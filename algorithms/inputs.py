@@ -43,7 +43,7 @@ UNIT, HEIGHT, RADIUS, GRADIENT, LEG_LENGTH, OPENING, CALIBRATE = (
     "OPENING",
     "CALIBRATE",
 )
-AREA, CONTROL, TARGETS, CHECK = "AREA", "CONTROL", "TARGETS", "CHECK"
+AREA, CONTROL, TARGETS, CHECK, WORKERS = "AREA", "CONTROL", "TARGETS", "CHECK", "WORKERS"
 POINT_CLOUD_ENDINGS = (".las", ".laz")
 OPENINGS = ("tetrahedral", "paper")
 UNIT_HINTS = tuple(f"tetrapod {mass} t" for mass in ("0.5", 1, 2, "3.2", 4, 5, "6.3", 8, 10, "12.5", 16, 20, 25, 32, 40, 50, 64, 80))
@@ -179,6 +179,15 @@ def add_area(algorithm: TetratrackAlgorithm) -> None:
     )
 
 
+def add_workers(algorithm: TetratrackAlgorithm) -> None:
+    """Number of worker processes."""
+    algorithm.add(
+        QgsProcessingParameterNumber(WORKERS, tr("Worker processes"), Qgis.ProcessingNumberParameterType.Integer, 1, False, 1, 256),
+        tr("Blocks of the survey worked on at the same time; each takes about 1 GB of memory."),
+        advanced=True,
+    )
+
+
 def add_control(algorithm: TetratrackAlgorithm, *, optional: bool = True) -> None:
     """Surveyed control points and the same targets in the cloud."""
     algorithm.add(
@@ -196,7 +205,8 @@ def add_check(algorithm: TetratrackAlgorithm, *, optional: bool = True) -> None:
     algorithm.add(
         _points(CHECK, tr("Check points"), optional),
         tr(
-            "Surveyed joints of cones, for validation only: CSV or layer with point_id, unit_easting, unit_northing, unit_height and position (m)."
+            "Surveyed joints of cones, for validation only: CSV or layer with point_id, unit_easting, unit_northing, unit_height and "
+            "position (m)."
         ),
     )
 

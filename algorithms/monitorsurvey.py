@@ -16,7 +16,6 @@ from qgis.core import (
     QgsProcessingParameterFile,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterMatrix,
-    QgsProcessingParameterNumber,
     QgsProject,
     QgsVectorLayer,
 )
@@ -31,11 +30,13 @@ from .inputs import (
     CRS,
     LOCAL,
     TARGET_COLUMNS,
+    WORKERS,
     EpochInput,
     SurveyInput,
     add_area,
     add_crs,
     add_unit,
+    add_workers,
     crs_text,
     ring_of,
     tile_paths,
@@ -57,7 +58,7 @@ class MonitorSurvey(SurveyAlgorithm):
     ID = "monitorsurvey"
     GROUP = "monitoring"
     ICON = "tetratrack.svg"
-    SURVEY, EPOCHS, WORKERS, BACKDROP, LOAD, OUTPUT = "SURVEY", "EPOCHS", "WORKERS", "BACKDROP", "LOAD", "OUTPUT"
+    SURVEY, EPOCHS, BACKDROP, LOAD, OUTPUT = "SURVEY", "EPOCHS", "BACKDROP", "LOAD", "OUTPUT"
     SINKS = (("UNITS", "units"), ("FEATURE_POINTS", "feature_points"), ("DISPLACEMENTS", "displacements"))
     COLUMNS = 6
 
@@ -69,7 +70,8 @@ class MonitorSurvey(SurveyAlgorithm):
                 "derives feature points and tests their displacements. Give a survey.toml, or the epochs and the unit."
             ),
             tr(
-                "Units of which less than about 5 % is seen are not found. Without control the cloud's own frame is used, and the result says so."
+                "Units of which less than about 5 % is seen are not found. Without control the cloud's own frame is used, and the result "
+                "says so."
             ),
             tr("tetrapod,armour unit,breakwater,displacement,monitoring,LAS,LAZ,deformation"),
         )
@@ -89,13 +91,7 @@ class MonitorSurvey(SurveyAlgorithm):
         add_unit(self)
         add_crs(self)
         add_area(self)
-        self.add(
-            QgsProcessingParameterNumber(
-                self.WORKERS, tr("Worker processes"), Qgis.ProcessingNumberParameterType.Integer, 1, False, 1, 256
-            ),
-            tr("Tiles worked on at the same time; each takes about 1 GB of memory."),
-            advanced=True,
-        )
+        add_workers(self)
         self.add(
             QgsProcessingParameterBoolean(self.BACKDROP, tr("Shaded relief of each epoch"), True),
             tr("Writes a top view of each epoch as GeoTIFF beside the result, as a backdrop."),
@@ -168,7 +164,7 @@ class MonitorSurvey(SurveyAlgorithm):
             survey = Path(given) if given else self.survey_of_rows(folder, parameters, context, feedback)
             if survey is None:
                 return {}
-            workers = str(self.parameterAsInt(parameters, self.WORKERS, context))
+            workers = str(self.parameterAsInt(parameters, WORKERS, context))
             last = 90 if self.parameterAsBoolean(parameters, self.BACKDROP, context) else 100
             # the engine itself writes the file whole or not at all, and keeps the reviews of an earlier result of that name
             found = self.run_engine(["run", str(survey), "--output", str(target), "--workers", workers], feedback, 0, last)

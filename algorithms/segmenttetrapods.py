@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from qgis.core import Qgis, QgsProcessingContext, QgsProcessingFeedback, QgsProcessingOutputNumber, QgsProcessingParameterNumber
+from qgis.core import QgsProcessingContext, QgsProcessingFeedback, QgsProcessingOutputNumber
 
 from ..plugin.translation import tr
 from .base import Texts
-from .inputs import add_area, add_crs, add_epoch, add_tiles, add_unit
+from .inputs import WORKERS, add_area, add_crs, add_epoch, add_tiles, add_unit, add_workers
 from .survey_algorithm import SurveyAlgorithm
 
 
@@ -18,7 +18,7 @@ class SegmentTetrapods(SurveyAlgorithm):
 
     ID = "segmenttetrapods"
     ICON = "segment.svg"
-    UNITS, WORKERS = "UNITS", "WORKERS"
+    UNITS = "UNITS"
 
     def texts(self) -> Texts:
         return Texts(
@@ -28,7 +28,8 @@ class SegmentTetrapods(SurveyAlgorithm):
                 "between them, and verification against the visible surface and against empty space."
             ),
             tr(
-                "Units of which less than about 5 % is seen are not found; weak evidence has the status uncertain. Poses are approximate: fit them next."
+                "Units of which less than about 5 % is seen are not found; weak evidence has the status uncertain. Poses are approximate: "
+                "fit them next."
             ),
             tr("segmentation,RANSAC,cone,tetrapod,armour unit,detection"),
         )
@@ -39,13 +40,7 @@ class SegmentTetrapods(SurveyAlgorithm):
         add_epoch(self)
         add_crs(self)
         add_area(self)
-        self.add(
-            QgsProcessingParameterNumber(
-                self.WORKERS, tr("Worker processes"), Qgis.ProcessingNumberParameterType.Integer, 1, False, 1, 256
-            ),
-            tr("Tiles worked on at the same time; each takes about 1 GB of memory."),
-            advanced=True,
-        )
+        add_workers(self)
         self.add_layer_sink(self.UNITS, "units")
         self.addOutput(QgsProcessingOutputNumber("UNITS_FOUND", tr("Units found")))
 
@@ -56,7 +51,7 @@ class SegmentTetrapods(SurveyAlgorithm):
             folder = Path(scratch)
             survey = self.survey(folder, parameters, context, feedback)
             result = folder / "result.gpkg"
-            workers = str(self.parameterAsInt(parameters, self.WORKERS, context))
+            workers = str(self.parameterAsInt(parameters, WORKERS, context))
             arguments = ["segment", str(survey), "--output", str(result), "--workers", workers]
             found = survey and self.run_engine(arguments, feedback, 2, 100)
             if not found:

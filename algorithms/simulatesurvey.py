@@ -9,6 +9,7 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingOutputFile,
+    QgsProcessingParameterEnum,
     QgsProcessingParameterFolderDestination,
     QgsProcessingParameterNumber,
 )
@@ -17,6 +18,8 @@ from ..plugin.translation import tr
 from .base import Texts
 from .inputs import add_unit_type, unit_arguments
 from .survey_algorithm import SurveyAlgorithm
+
+INSTRUMENTS = ("uav", "tls", "photogrammetry", "depth_camera")
 
 
 class SimulateSurvey(SurveyAlgorithm):
@@ -40,6 +43,11 @@ class SimulateSurvey(SurveyAlgorithm):
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:
         add_unit_type(self)
+        instruments = [tr("UAV laser scanner"), tr("terrestrial laser scanner"), tr("photogrammetry"), tr("depth camera")]
+        self.add(
+            QgsProcessingParameterEnum("INSTRUMENT", tr("Instrument"), instruments, False, 0),
+            tr("Decides viewpoints, hidden parts and, unless stated, noise and density."),
+        )
         integer, real = Qgis.ProcessingNumberParameterType.Integer, Qgis.ProcessingNumberParameterType.Double
         self.add(QgsProcessingParameterNumber("UNITS", tr("Units"), integer, 50, False, 1, 5000), tr("Number of units on the slope."))
         self.add(
@@ -47,12 +55,12 @@ class SimulateSurvey(SurveyAlgorithm):
             tr("Number of surveys; some units move between them."),
         )
         self.add(
-            QgsProcessingParameterNumber("NOISE", tr("Noise of a point (m)"), real, 0.02, False, 0, 1),
-            tr("Standard deviation along the surface normal, in metres."),
+            QgsProcessingParameterNumber("NOISE", tr("Noise of a point (m)"), real, None, True, 0, 1),
+            tr("Standard deviation of the range, in metres; empty takes that of the instrument."),
         )
         self.add(
-            QgsProcessingParameterNumber("DENSITY", tr("Point density (points/m²)"), real, 200.0, False, 1, 1e6),
-            tr("On a surface that faces the instrument, all flight strips or stations together."),
+            QgsProcessingParameterNumber("DENSITY", tr("Point density (points/m²)"), real, None, True, 1, 1e6),
+            tr("On the ground; empty takes that of the instrument."),
         )
         self.add(
             QgsProcessingParameterNumber("SEED", tr("Seed"), integer, 0, False, 0),
@@ -73,6 +81,8 @@ class SimulateSurvey(SurveyAlgorithm):
         for name in ("UNITS", "EPOCHS", "SEED"):
             arguments += [f"--{name.lower()}", str(self.parameterAsInt(parameters, name, context))]
         for name in ("NOISE", "DENSITY"):
-            arguments += [f"--{name.lower()}", repr(self.parameterAsDouble(parameters, name, context))]
+            if parameters.get(name) is not None:
+                arguments += [f"--{name.lower()}", repr(self.parameterAsDouble(parameters, name, context))]
+        arguments += ["--instrument", INSTRUMENTS[self.parameterAsEnum(parameters, "INSTRUMENT", context)]]
         found = self.run_engine(arguments, feedback)
         return {} if found is None else {self.OUTPUT: target, self.SURVEY: found["survey"]}

@@ -30,8 +30,8 @@ class TrackDisplacements(TetratrackAlgorithm):
         return Texts(
             tr("Track displacements"),
             tr(
-                "Recognises each unit in all epochs, finds the stable units by a global congruence test and tests the displacement of every "
-                "feature point and the rotation of every unit against it, with the covariance of fit and registration."
+                "Recognises each unit in all epochs, finds the stable units by a global congruence test and tests the displacement of "
+                "every feature point and the rotation of every unit against it, with the covariance of fit and registration."
             ),
             tr("A rotation near 60° or more is ambiguous by the symmetry of the tetrapod and is reported as such."),
             tr("displacement,deformation analysis,congruence test,epoch,monitoring"),
