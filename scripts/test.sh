@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# Set everything up and run all checks and tests: lint, types, QGIS tests, then the engine's tests with coverage.
+# Usage: scripts/test.sh [arguments for the engine's pytest]
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+failed=()
+
+check() { # check "what" "how to mend it" command...
+    step "$1" "$2"
+    local what="$1" remedy="$2"
+    shift 2
+    if ! "$@"; then
+        failed+=("$what (to mend it: $remedy)")
+    fi
+}
+
+setup_qgis() {
+    step "QGIS from Debian backports" "run: apt-get install -t bookworm-backports qgis python3-qgis xvfb xauth"
+    if ! installed qgis python3-qgis xvfb xauth python3-venv; then
+        if ! apt-cache policy qgis 2>/dev/null | grep -q backports; then
+            # the mirror this machine uses already, whichever it is
+            local mirror
+            mirror="$(apt-get indextargets --format '$(SITE) $(CODENAME) $(COMPONENT)' | awk '$2 == "bookworm" && $3 == "main" {print $1; exit}')"
+            echo "deb $mirror bookworm-backports main" | as_root tee /etc/apt/sources.list.d/tetratrack-backports.list >/dev/null
+            apt_updated=false
+        fi
+        apt_install python3-venv xvfb xauth
+        apt_install -t bookworm-backports qgis python3-qgis
+    fi
+    step "Python environment of the QGIS tests in .venv-qgis" "delete .venv-qgis and run again"
+    local stamp
+    stamp="$(stamp_of requirements-qgis.txt)"
+    if [ "$(cat .venv-qgis/tetratrack.stamp 2>/dev/null)" != "$stamp" ]; then
+        [ -x .venv-qgis/bin/python ] || /usr/bin/python3 -m venv --system-site-packages .venv-qgis
+        .venv-qgis/bin/python -m pip install --quiet --disable-pip-version-check -r requirements-qgis.txt
+        echo "$stamp" >.venv-qgis/tetratrack.stamp
+    else
+        echo "   ready"
+    fi
+}
+
+setup_system
+setup_engine
+setup_qgis
+
+export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+check "lint" "run: .venv/bin/ruff check --fix ." .venv/bin/ruff check --quiet .
+check "format" "run: .venv/bin/ruff format ." .venv/bin/ruff format --quiet --check .
+check "types" "run: .venv/bin/mypy" .venv/bin/mypy
+check "QGIS tests" "run: xvfb-run -a .venv-qgis/bin/python -m pytest tests/qgis" \
+    xvfb-run -a .venv-qgis/bin/python -m pytest tests/qgis -q -p no:cacheprovider
+step "engine tests" "run: .venv/bin/python -m pytest -n 2"
+rm -f .coverage .coverage.*
+engine=0
+log="$(mktemp)"
+.venv/bin/python -m pytest -n 2 --cov --cov-report= "$@" | tee "$log" || engine=$?
+summary="$(grep -E '^=+ .* in [0-9.]+s' "$log" | tail -n 1 || true)"
+rm -f "$log"
+if [ "$engine" -ne 0 ]; then failed+=("engine tests (to mend it: $REMEDY)"); fi
+check "coverage of core" "write tests for the lines that .venv/bin/coverage report --show-missing names" \
+    .venv/bin/coverage report --fail-under 90 --format total
+for what in "${failed[@]}"; do printf 'failed: %s\n' "$what" >&2; done
+printf '%s\n' "$summary"
+[ ${#failed[@]} -eq 0 ]
