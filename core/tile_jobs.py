@@ -81,6 +81,10 @@ class Job(Protocol):
         ...
 
 
+Task = tuple[Job, Path]
+"""A job and the file its result goes to; the parent names it, whatever version of the software a worker has."""
+
+
 def plan_blocks(epoch: str, tiles: Sequence[TileInfo], unit_height: float) -> tuple[Block, ...]:
     """Cut an epoch into equal blocks from the extent and number of its points.
 
@@ -195,7 +199,7 @@ class JobRunner:
             ``is_cancelled`` said so; running jobs are ended at once.
         """
         paths = [self.folder / job.name for job in jobs]
-        todo = [job for job, path in zip(jobs, paths, strict=True) if load_arrays(path) is None]
+        todo = [(job, path) for job, path in zip(jobs, paths, strict=True) if load_arrays(path) is None]
         done = len(jobs) - len(todo)
         progress(done, len(jobs))
         if self.scheduler is not None:
@@ -209,21 +213,21 @@ class JobRunner:
             progress(done, len(jobs))
         return paths
 
-    def _here(self, jobs: Sequence[Job]) -> Iterator[None]:
-        for job in jobs:
+    def _here(self, tasks: Sequence[Task]) -> Iterator[None]:
+        for task in tasks:
             if self.is_cancelled():
                 raise Cancelled("cancelled")
-            _run_and_save(job, self.folder)
+            _run_and_save(*task)
             yield
 
-    def _in_processes(self, jobs: Sequence[Job]) -> Iterator[None]:
+    def _in_processes(self, tasks: Sequence[Task]) -> Iterator[None]:
         from concurrent.futures.process import BrokenProcessPool
 
-        waiting = list(jobs)
+        waiting = list(tasks)
         for attempt in range(1, ATTEMPTS + 1):
             try:
-                for job in self._pool_pass(tuple(waiting)):
-                    waiting.remove(job)
+                for task in self._pool_pass(tuple(waiting)):
+                    waiting.remove(task)
                     yield
                 return
             except BrokenProcessPool as error:
@@ -233,24 +237,24 @@ class JobRunner:
                         "with --resume finished blocks are kept."
                     ) from error
 
-    def _pool_pass(self, jobs: Sequence[Job]) -> Iterator[Job]:
+    def _pool_pass(self, tasks: Sequence[Task]) -> Iterator[Task]:
         import multiprocessing
         from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
 
-        count = min(self.workers, len(jobs))
+        count = min(self.workers, len(tasks))
         with _threads_per_worker(max(1, (os.cpu_count() or 1) // count)):
             # spawned, not forked: forked copies of a process with threads (numba, OpenMP) can hang
             pool = ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), initializer=_ignore_interrupt)
             before = set(multiprocessing.active_children())
             clean = False
             try:
-                pending = {pool.submit(_run_and_save, job, self.folder): job for job in jobs}
+                pending = {pool.submit(_run_and_save, *task): task for task in tasks}
                 while pending:
                     done, _ = wait(pending, timeout=0.2, return_when=FIRST_COMPLETED)
                     for future in done:
-                        job = pending.pop(future)
+                        task = pending.pop(future)
                         future.result()
-                        yield job
+                        yield task
                     if self.is_cancelled():
                         raise Cancelled("cancelled")
                 clean = True
@@ -260,7 +264,7 @@ class JobRunner:
                         process.kill()
                 pool.shutdown(wait=True, cancel_futures=True)
 
-    def _on_cluster(self, jobs: Sequence[Job]) -> Iterator[None]:
+    def _on_cluster(self, tasks: Sequence[Task]) -> Iterator[None]:
         try:
             from distributed import Client, as_completed
         except ImportError as error:
@@ -273,7 +277,7 @@ class JobRunner:
             ) from error
         with client:
             # pure=False: a key is the job's own name, so that a rerun after a failure is not served a remembered error
-            futures = [client.submit(_run_and_save, job, self.folder, pure=False, retries=ATTEMPTS - 1) for job in jobs]
+            futures = [client.submit(_run_and_save, *task, pure=False, retries=ATTEMPTS - 1) for task in tasks]
             try:
                 for future in as_completed(futures):  # type: ignore[no-untyped-call]
                     if self.is_cancelled():
@@ -284,9 +288,8 @@ class JobRunner:
                 client.cancel(futures)
 
 
-def _run_and_save(job: Job, folder: Path) -> None:
+def _run_and_save(job: Job, path: Path) -> None:
     """What a worker does: a job that another run finished meanwhile is not done again."""
-    path = folder / job.name
     if load_arrays(path) is None:
         save_arrays(path, job.run())
 

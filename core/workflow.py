@@ -595,6 +595,77 @@ def _unit_of(row: Mapping[str, Any], source: Path) -> UnitType:
     return UnitType.tetrapod(float(values[0]), radius=float(values[1]), gradient=float(values[2]))  # type: ignore[arg-type]
 
 
+def in_control_frame(epoch: EpochUnits, registration: Registration | None) -> EpochUnits:
+    """Poses and covariances after registration; the registration's own covariance, common to all units, is included."""
+    if registration is None:
+        return epoch
+    transformation = registration.transformation
+    table = dict(epoch.table)
+    poses, covariances, shapes = table["poses"].copy(), table["covariance"].copy(), table["shape"].copy()
+    turn = np.eye(8)
+    turn[:3, :3] = transformation.scale * transformation.rotation
+    turn[3:6, 3:6] = transformation.rotation
+    turn[6, 6] = transformation.scale
+    for k in range(len(epoch)):
+        pose = transformation.apply_pose(epoch.pose(k))
+        poses[k] = np.concatenate([pose.centre, pose.rotation.ravel()])
+        effect = np.zeros((8, 7))
+        effect[:3] = transformation.jacobian(pose.centre[None])[0]
+        effect[3:6, 3:6] = np.eye(3)
+        covariances[k] = turn @ covariances[k] @ turn.T + effect @ transformation.covariance @ effect.T
+    shapes[:, 0] *= transformation.scale
+    return replace(epoch, table=table | {"poses": poses, "covariance": covariances, "shape": shapes})
+
+
+def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
+    """All steps: tiles to units, feature points, registration and displacements, in one result.
+
+    Raises
+    ------
+    InputError
+        Input that cannot be used; nothing is written then.
+    Cancelled
+        The user ended the run; nothing is written.
+    """
+    check_output(output)
+    start = SHARES["read"]
+    plans = plan_survey(survey, feedback.part(0, start))
+    record = record_run(survey, options.seed, {"step": "run", "unit": [repr(unit) for unit in survey.units]})
+    registrations = register_epochs(survey, feedback)
+    with job_runner(output, options, feedback) as runner:
+        found = segment_epochs(survey, plans, record, runner, feedback.part(start, start := start + SHARES["segment"]))
+        fitted, _ = fit_epochs(survey, found, runner, feedback.part(start, start := start + SHARES["fit"]))
+        tables: Tables = {name: [] for name in ("units", "feature_points", "control_residuals", "epochs")}
+        for epoch in fitted:
+            label = epoch.plan.epoch.label
+            registration = registrations.get(label)
+            if registration is None:
+                feedback.info(f"{label}: no control, results stay in the frame of the cloud")
+            else:
+                tables["control_residuals"] += control_rows(label, registration)
+                for note in registration.notes:
+                    feedback.info(f"{label}: {note}")
+            placed = in_control_frame(epoch, registration)
+            ids = provisional_ids(len(placed))
+            tables["units"] += unit_rows(placed, ids, survey)
+            for k, name in enumerate(ids):
+                tables["feature_points"] += _feature_rows_of(placed, k, name, survey)
+            tables["epochs"].append(
+                epoch_row(
+                    epoch.plan,
+                    record,
+                    None if registration is None else registration.transformation.as_record(),
+                    None if registration is None else registration.sigma0,
+                    {},
+                )
+            )
+        feedback.check()
+        feedback.progress(1 - SHARES["write"], "writing")
+        write_result(output, survey.crs, tables)
+    feedback.progress(1.0, "done")
+    return {"output": str(output), "units": len({row["unit_id"] for row in tables["units"]}), "moved": 0, "check_rmse": None}
+
+
 def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
     """Step ``segment``: units with approximate poses, in the frame of each epoch's cloud."""
     check_output(output)
