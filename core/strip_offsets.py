@@ -207,7 +207,9 @@ def _accumulate(rows, residual, patch, strip_local, body, sigma, tukey, normal, 
     return used, square_sum
 
 
-def adjust_jointly(sightings: Sequence[UnitSighting], *, offset_sd: float | None = None, scale_sd: float = HEIGHT_SPREAD) -> JointAdjustment:
+def adjust_jointly(
+    sightings: Sequence[UnitSighting], *, offset_sd: float | None = None, scale_sd: float = HEIGHT_SPREAD
+) -> JointAdjustment:
     """Adjust the poses of all units in all epochs together with the offsets of strips or stations.
 
     Parameters

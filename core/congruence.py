@@ -1,0 +1,305 @@
+"""Congruence of two epochs: which units are stable, the datum they strengthen, and how uncertain a displacement really is.
+
+Displacements d_u (3,) of units in the control frame have a part common to all, the error of the two registrations, and one of their own:
+
+    d_u = A(x_u) theta + e_u,   theta ~ N(0, Sigma_registration),   e_u ~ t_nu(0, V_u),   V_u = s^2 C_u + tau^2 I
+
+with C_u the covariance of the joint adjustment. Roughness, growth and drifts within a strip make C_u too small, so the factor s, the
+floor tau and the weight nu of the tails are estimated from the stable units themselves by maximum likelihood, while moved units are described by a
+broad second component (the empirical null distribution of Efron, 2004, JASA 99). Congruence test and datum after Pelzer (1971) and
+Niemeier (1985): global test of all units, then units that do not agree leave the datum one by one.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize
+from scipy.special import gammaln
+from scipy.stats import chi2
+from scipy.stats import f as f_distribution
+
+from .control import rigid_jacobian
+
+FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
+
+STABLE_LEVEL = 0.01
+"""Units with a smaller p-value do not support the datum."""
+NORMAL_TAIL = 200.0
+"""Degrees of freedom beyond which t is normal."""
+FREE_SHIFT, FREE_TURN = 1e3, 1.0
+"""Standard deviations, metres and radians, of a common motion of which nothing is known."""
+
+
+@dataclass(frozen=True, eq=False)
+class NullModel:
+    """What displacements of stable units look like: covariance factor ** 2 * C + floor ** 2 * I with t tails of ``tail`` degrees.
+
+    ``moved_share`` is the share of units that the broad component describes, ``count`` the number of units it was estimated from.
+    """
+
+    factor: float
+    floor: float
+    tail: float
+    moved_share: float
+    count: int
+
+    def covariance(self, covariances: FloatArray) -> FloatArray:
+        """(..., 3, 3) effective covariances."""
+        return np.asarray(self.factor**2 * covariances + self.floor**2 * np.eye(3))
+
+    def p_value(self, statistics: FloatArray) -> FloatArray:
+        """Of quadratic forms of three components."""
+        return np.asarray(f_distribution.sf(np.asarray(statistics) / 3, 3, self.tail))
+
+
+@dataclass(frozen=True, eq=False)
+class Congruence:
+    """Result of :func:`test_congruence` for one epoch pair.
+
+    Attributes
+    ----------
+    origin
+        (3,) point the common motion refers to: the centroid of the units.
+    motion, motion_covariance
+        (7,), (7, 7): shift (m), rotation vector (rad), scale of the stable set in the control frame, control included; to be subtracted
+        in datum ``stable``.
+    prior
+        (7, 7) covariance of the common motion from the registrations alone.
+    stable
+        (n,) whether a unit supports the datum.
+    null
+        Calibrated distribution of stable units.
+    statistics, p_values
+        (n,) of each unit in datum ``stable``, itself left out of the datum.
+    control_statistics, control_p_values
+        The same in datum ``control``.
+    global_statistic, global_degrees, global_p_value
+        Test that all units together kept their shape.
+    common_statistic, common_p_value
+        Test that the stable set did not move against control; nan without control or without stable units.
+    """
+
+    origin: FloatArray
+    motion: FloatArray
+    motion_covariance: FloatArray
+    prior: FloatArray
+    stable: BoolArray
+    null: NullModel
+    statistics: FloatArray
+    p_values: FloatArray
+    control_statistics: FloatArray
+    control_p_values: FloatArray
+    global_statistic: float
+    global_degrees: int
+    global_p_value: float
+    common_statistic: float
+    common_p_value: float
+
+    def common_part(self, points: FloatArray) -> FloatArray:
+        """(n, 3) common motion at (n, 3) points of the control frame."""
+        return np.asarray(rigid_jacobian(points - self.origin) @ self.motion)
+
+    def common_covariance(self, points: FloatArray, datum: str) -> FloatArray:
+        """(n, 3, 3) covariance of the common part at (n, 3) points, in datum ``stable`` or ``control``."""
+        a = rigid_jacobian(points - self.origin)
+        return np.asarray(a @ (self.motion_covariance if datum == "stable" else self.prior) @ np.swapaxes(a, 1, 2))
+
+
+def test_congruence(
+    displacements: FloatArray, covariances: FloatArray, points: FloatArray, prior: FloatArray | None, origin: FloatArray, scale: float
+) -> Congruence:
+    """Find the stable set of an epoch pair, its datum and the calibrated tests.
+
+    Parameters
+    ----------
+    displacements, covariances
+        (n, 3), (n, 3, 3) of one point of each unit (the centre), without registration error, metres.
+    points
+        (n, 3) where the units are.
+    prior
+        (7, 7) covariance of the common motion (shift, rotation vector, scale) about ``origin`` from both registrations; None where an epoch has
+        no control, so that nothing is known of it.
+    origin
+        (3,) reduction point of the common motion.
+    scale
+        Length of the units in metres (H), for the broad component of moved units.
+    """
+    n = len(displacements)
+    known = prior is not None
+    sigma = _free_prior() if prior is None else _regular(prior)
+    a = rigid_jacobian(points - origin)
+    rough = covariances + (0.002 * scale) ** 2 * np.eye(3)
+    theta, cofactor = _robust_motion(displacements, rough, a, sigma)
+    # the first datum has no members, so that no unit's residual is small for having been fitted
+    residuals, spread = displacements - a @ theta, a @ cofactor @ np.swapaxes(a, 1, 2)
+    null = calibrate(residuals, covariances, scale, spread)
+    effective = null.covariance(covariances)
+    stable = null.p_value(_quadratic(residuals, effective + spread)) > STABLE_LEVEL
+    for _ in range(12):
+        theta, cofactor, statistics = _leave_one_out(displacements, effective, a, sigma, stable)
+        residuals, spread = _predictions(displacements, effective, a, theta, cofactor, stable)
+        earlier, null = null, calibrate(residuals, covariances, scale, spread)
+        previous, stable = stable, null.p_value(statistics) > STABLE_LEVEL
+        effective = null.covariance(covariances)
+        if (stable == previous).all() and abs(null.factor - earlier.factor) + abs(null.floor - earlier.floor) / scale < 1e-3:
+            break
+    theta, cofactor, statistics = _leave_one_out(displacements, effective, a, sigma, stable)
+    p_values = null.p_value(statistics)
+    with_control = effective + a @ sigma @ np.swapaxes(a, 1, 2) if known else effective
+    control = _quadratic(displacements, with_control)
+    global_statistic, degrees = _global(displacements, effective, a, sigma)
+    common = math.nan
+    if known and stable.any():
+        common = _common(displacements[stable], effective[stable], a[stable], sigma)
+    return Congruence(
+        origin, theta, cofactor, sigma if known else np.zeros((7, 7)), stable, null, statistics, p_values, control, null.p_value(control),
+        global_statistic, degrees, float(chi2.sf(global_statistic, degrees)) if degrees else 1.0, common,
+        float(chi2.sf(common, 6)) if math.isfinite(common) else math.nan,
+    )  # fmt: skip
+
+
+def calibrate(residuals: FloatArray, covariances: FloatArray, scale: float, spread: FloatArray | None = None) -> NullModel:
+    """Maximum a posteriori factor, floor and tails of the displacements of stable units, among moved ones.
+
+    Parameters
+    ----------
+    residuals, covariances
+        (n, 3), (n, 3, 3) displacements less the common part, and their formal covariance.
+    scale
+        H in metres; moved units are taken from a Cauchy distribution of that order.
+    spread
+        (n, 3, 3) covariance of the common part that was subtracted, not to be scaled; None for zero.
+
+    The priors are weak and only matter for a handful of units: factor 1 within a factor of two, tails of about 15 degrees of
+    freedom, floor of the order of the formal standard deviations.
+    """
+    n = len(residuals)
+    if n == 0:
+        return NullModel(1.0, 0.0, NORMAL_TAIL, 0.0, 0)
+    values, vectors = np.linalg.eigh(covariances)
+    values = np.maximum(values, 1e-18)
+    squares = np.einsum("nij,ni->nj", vectors, residuals) ** 2
+    extra = 0.0 if spread is None else np.einsum("nij,nik,nkj->nj", vectors, spread, vectors)
+    typical = float(np.sqrt(np.median(values)))
+    broad = 0.02 * scale
+    moved_log = _log_t(squares / broad**2, 1.0) - 3 * math.log(broad)
+
+    def target(parameters: FloatArray) -> float:
+        factor, floor, tail, odds = parameters
+        variance = math.exp(2 * factor) * values + (typical * math.exp(floor)) ** 2 + extra
+        nu = math.exp(tail)
+        share = 1 / (1 + math.exp(-odds))
+        null_log = _log_t(squares / variance, nu) - 0.5 * np.sum(np.log(variance), axis=1)
+        total = np.logaddexp(np.log1p(-share) + null_log, math.log(share) + moved_log)
+        priors = (factor / 0.7) ** 2 + ((floor + 0.7) / 1.0) ** 2 + ((tail - math.log(15)) / 0.8) ** 2 + ((odds + 1.7) / 1.0) ** 2
+        return float(-np.sum(total) + 0.5 * priors)
+
+    best = min(
+        (minimize(target, start, method="Nelder-Mead", options={"xatol": 1e-3, "fatol": 1e-4, "maxiter": 800})
+         for start in ([0.35, -0.7, math.log(15), -1.7], [1.2, 0.5, math.log(15), -1.7])),
+        key=lambda found: found.fun,
+    )  # fmt: skip
+    factor, floor, tail, odds = best.x
+    return NullModel(
+        float(math.exp(factor)),
+        float(typical * math.exp(floor)),
+        float(min(math.exp(tail), NORMAL_TAIL)),
+        float(1 / (1 + math.exp(-odds))),
+        n,
+    )
+
+
+def _log_t(squares: FloatArray, nu: float) -> FloatArray:
+    """Log density of a t vector of three components with unit scale; ``squares`` (n, 3) standardised squares."""
+    q = np.sum(squares, axis=1)
+    constant = gammaln((nu + 3) / 2) - gammaln(nu / 2) - 1.5 * math.log(nu * math.pi)
+    return np.asarray(constant - (nu + 3) / 2 * np.log1p(q / nu))
+
+
+def _free_prior() -> FloatArray:
+    return np.diag([FREE_SHIFT**2] * 3 + [FREE_TURN**2] * 3 + [1e-24])
+
+
+def _regular(prior: FloatArray) -> FloatArray:
+    """Covariance with a tiny variance where a parameter was held fixed, so that it can be inverted."""
+    return prior + np.diag([1e-14] * 3 + [1e-20] * 3 + [1e-24])
+
+
+def _solve(displacements: FloatArray, weights: FloatArray, a: FloatArray, sigma: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Common motion from prior and units; ``weights`` (n, 3, 3)."""
+    at_w = np.swapaxes(a, 1, 2) @ weights
+    normal = np.linalg.inv(sigma) + np.sum(at_w @ a, axis=0)
+    cofactor = np.linalg.inv(normal)
+    return cofactor @ np.einsum("nij,nj->i", at_w, displacements), cofactor
+
+
+def _robust_motion(displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Common motion that most units share, by reweighting from the median shift."""
+    if not len(displacements):
+        return np.zeros(7), sigma
+    inverse = np.linalg.inv(covariances)
+    residuals = displacements - np.median(displacements, axis=0)
+    theta, cofactor = np.zeros(7), sigma
+    for _ in range(30):
+        q = np.einsum("ni,nij,nj->n", residuals, inverse, residuals)
+        size = max(float(np.median(q)) / 2.366, 1e-12)
+        weight = 1 / (1 + q / (3 * size)) ** 2
+        theta, cofactor = _solve(displacements, inverse * (weight / size)[:, None, None], a, sigma)
+        residuals = displacements - a @ theta
+    return theta, cofactor
+
+
+def _predictions(
+    displacements: FloatArray, covariances: FloatArray, a: FloatArray, theta: FloatArray, cofactor: FloatArray, stable: BoolArray
+) -> tuple[FloatArray, FloatArray]:
+    """(n, 3) displacements in the datum of all other stable units, and (n, 3, 3) covariance of that datum at the unit."""
+    residuals = displacements - a @ theta
+    spread = a @ cofactor @ np.swapaxes(a, 1, 2)
+    for k in np.flatnonzero(stable):
+        gain = np.linalg.inv(covariances[k] - spread[k])
+        residuals[k] = covariances[k] @ gain @ residuals[k]
+        spread[k] = spread[k] + spread[k] @ gain @ spread[k]
+    return residuals, spread
+
+
+def _leave_one_out(
+    displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray, stable: BoolArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Datum of the stable set, and each unit's statistic against the datum without itself."""
+    weights = np.linalg.inv(covariances) * stable[:, None, None]
+    theta, cofactor = _solve(displacements, weights, a, sigma)
+    residuals = displacements - a @ theta
+    spread = a @ cofactor @ np.swapaxes(a, 1, 2)
+    # a member's residual has V - A Q A^T, an outsider's V + A Q A^T; the first equals the deletion statistic exactly
+    combined = covariances + np.where(stable[:, None, None], -spread, spread)
+    return theta, cofactor, _quadratic(residuals, combined)
+
+
+def _quadratic(vectors: FloatArray, covariances: FloatArray) -> FloatArray:
+    """(n,) quadratic forms of (n, 3) vectors with the inverse of their covariances."""
+    return np.asarray(np.einsum("ni,ni->n", vectors, np.linalg.solve(covariances, vectors[:, :, None])[:, :, 0]))
+
+
+def _global(displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray) -> tuple[float, int]:
+    """Quadratic form of all residuals when every unit supports the datum, and its degrees of freedom."""
+    n = len(displacements)
+    if n < 2:
+        return 0.0, 0
+    weights = np.linalg.inv(covariances)
+    theta, _ = _solve(displacements, weights, a, sigma)
+    residuals = displacements - a @ theta
+    form = float(np.einsum("ni,nij,nj->", residuals, weights, residuals) + theta @ np.linalg.solve(sigma, theta))
+    return form, 3 * n
+
+
+def _common(displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray) -> float:
+    """Motion of the stable units alone against zero, with the covariance of both registrations (rigid part, 6 degrees)."""
+    free = _free_prior()
+    theta, cofactor = _solve(displacements, np.linalg.inv(covariances), a, free)
+    total = (cofactor + sigma)[:6, :6]
+    return float(theta[:6] @ np.linalg.solve(total, theta[:6]))
