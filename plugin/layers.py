@@ -100,6 +100,7 @@ def legend_label(label: str) -> str:
         "uncertain": tr("uncertain"),
         "new": tr("new"),
         "relocated": tr("relocated"),
+        "arrow of 10 mm: 50 mm; ellipse: 95 %": tr("arrow of 10 mm: 50 mm; ellipse: 95 %"),
         "below the detection limit": tr("below the detection limit"),
         "significant, up to 50 mm": tr("significant, up to 50 mm"),
         "50 to 100 mm: watch": tr("50 to 100 mm: watch"),

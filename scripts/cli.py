@@ -278,6 +278,25 @@ def plan(
 
 
 @app.command()
+def relief(
+    survey: SurveyFile,
+    output: Annotated[Path, typer.Option("--output", "-o", help="Start of the files' names: OUTPUT_<epoch>.tif", show_default=False)],
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Shaded relief of every epoch from above, as GeoTIFF."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.relief import run_relief
+        from ..core.survey import read_survey
+
+        return run_relief(read_survey(survey), output, feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
 def template() -> None:
     """Print a survey.toml to fill in."""
     from ..core.survey import template as text
