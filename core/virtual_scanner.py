@@ -204,7 +204,7 @@ def survey_tls(scene: Scene, rng: np.random.Generator, *, density: float, noise:
     h = scene.unit.height / REFERENCE_HEIGHT
     cell = 1 / np.sqrt(density)
     parts = []
-    stands = [(f * (site.half_length - h), site.wall - 2.6 * h, site.deck + site.parapet + 1.7) for f in (-0.9, -0.3, 0.3, 0.9)]
+    stands = [(f * (site.half_length - h), site.wall - 1.6 * h, site.deck + site.parapet + 1.7) for f in (-0.9, -0.3, 0.3, 0.9)]
     stands.append((rng.uniform(-4, 4) * h, site.toe + 32 * h, 6.0 * h))
     for k, stand in enumerate(stands):
         station = np.array(stand)
@@ -262,7 +262,7 @@ def survey_photogrammetry(scene: Scene, rng: np.random.Generator, *, density: fl
         aim[:, :2] += rng.uniform(-0.4, 0.4, (len(aim), 2)) * cell
         directions = _unit(aim - origin)
         origins = np.broadcast_to(origin, directions.shape)
-        seen = _measure(scene, origins, directions, rng, noise=0.0, footprint=0.002, second_returns=False, source=k + 1, shift=np.zeros(3))
+        seen = _measure(scene, origins, directions, rng, noise=0.0, footprint=0.0004, second_returns=False, source=k + 1, shift=np.zeros(3))
         seen = seen.chosen(_thin(seen.points, cell, rng))
         views.append(seen)
         cells.append(np.unique(_keys(seen.points, 3 * cell)))

@@ -86,7 +86,7 @@ INSTRUMENTS: dict[Instrument, VirtualInstrument] = {
     "uav": VirtualInstrument(survey_uav, 950, 0.017, 0.01, 0.025, 0.01, 0.006, 0.003, Surfaces(0.003, 0.05, 0.03, 0.4), "virtual UAV"),
     "tls": VirtualInstrument(survey_tls, 1250, 0.004, 0.004, 0.02, 0.01, 0.003, 0.003, Surfaces(0.003, 0.05, 0.03, 0.4), "virtual TLS"),
     "photogrammetry": VirtualInstrument(
-        survey_photogrammetry, 1600, 0.007, 0.0, 0.02, 0.01, 0.006, 0.003, Surfaces(0.004, 0.16, 0.08, 0.4), "virtual photogrammetry"
+        survey_photogrammetry, 1100, 0.007, 0.0, 0.02, 0.01, 0.006, 0.003, Surfaces(0.004, 0.16, 0.08, 0.4), "virtual photogrammetry"
     ),
     "depth_camera": VirtualInstrument(
         survey_depth_camera,
