@@ -70,6 +70,8 @@ class ReviewMap(QObject):
 
     def show_pair(self) -> None:
         """Show the store's epoch pair and datum, rejected units apart."""
+        # a layer drops its selection with its filter; the store must not take that for the user's wish
+        self._following = True
         pair, rejected = self.store.pair, sorted(self.store.rejected)
         keep = f' AND "unit_id" NOT IN ({quoted(rejected)})' if rejected else ""
         epoch = f'"epoch" = {QgsExpression.quotedString(pair.epoch_from)}'
@@ -94,6 +96,7 @@ class ReviewMap(QObject):
         self._fids = {}
         for fid, unit in self._units.items():
             self._fids.setdefault(unit, []).append(fid)
+        self._following = False
         self.follow()
 
     def follow(self) -> None:

@@ -346,13 +346,10 @@ class UnitView(QWidget):
             painter.drawText(QRectF(tip.x() - 12, tip.y() + 12, 24, line), Qt.AlignmentFlag.AlignHCenter, tr("N"))
         foot = self._hover or self.scene.note
         if foot:
-            room = self.width() - (4 * MARGIN + bar * self._pixels_per_metre() + metrics.horizontalAdvance(text))
-            shown = self.fontMetrics().elidedText(foot, Qt.TextElideMode.ElideRight, int(room))
-            box = QRectF(self.width() - room, bottom - line, room - MARGIN, line + 4)
-            painter.fillRect(
-                QRectF(self.width() - metrics.horizontalAdvance(shown) - 2 * MARGIN, bottom - line, self.width(), line + 6), base
-            )
-            painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, shown)
+            shown = self.fontMetrics().elidedText(foot, Qt.TextElideMode.ElideRight, self.width() - 2 * MARGIN)
+            place = QRectF(MARGIN, bottom - 2 * line - 8, metrics.horizontalAdvance(shown) + MARGIN, line)
+            painter.fillRect(place, base)
+            painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, shown)
 
 
 class SeriesView(QWidget):

@@ -21,8 +21,8 @@ from ..core.reviews import Decision, Review, ReviewEvent, confirm, decide, is_wr
 FloatArray = NDArray[np.float64]
 Topic = Literal["rows", "order", "selection", "reviews"]
 
-COLUMNS = ("unit_id", "kind", "d_3d", "d_horizontal", "vertical", "rotation_deg", "p_value", "coverage", "decision", "reviewer")
-"""Columns of the table, by the name of what they show."""
+COLUMNS = ("unit_id", "kind", "d_3d", "decision", "d_horizontal", "vertical", "rotation_deg", "p_value", "coverage", "reviewer")
+"""Columns of the table, by the name of what they show; what a narrow dock must show comes first."""
 DETAILS_KEPT = 64
 
 

@@ -15,9 +15,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from tetratrack.core.outline import rotation_of_quaternion
+from tetratrack.core.outline import PlacedShape, reach, rotation_of_quaternion
 from tetratrack.core.result_tables import encode_line, encode_point
 from tetratrack.core.schema import FEATURES, LAYERS
+from tetratrack.core.unit_points import index_folder, write_index
 
 HEIGHT, RADIUS, GRADIENT, LEG_LENGTH = 2.3, 0.60814, 0.17610, 1.48120
 LEGS = np.array([[0, 0, 1], [0.942809, 0, -1 / 3], [-0.471405, 0.816497, -1 / 3], [-0.471405, -0.816497, -1 / 3]])
@@ -118,6 +119,23 @@ def features_of(unit: SyntheticUnit, epoch: int) -> np.ndarray:
     reach = RADIUS / (np.sin(angle) + GRADIENT * np.cos(angle))
     body = np.vstack([np.zeros(3), -reach * LEGS[[3, 2, 1, 0]]])
     return unit.centres[epoch] + body @ rotation_of_quaternion(unit.quaternions[epoch]).T
+
+
+def write_points(result: Path, units: list[SyntheticUnit], epochs: int = 3, per_unit: int = 2500, seed: int = 3) -> None:
+    """Write the point index of a result: points with 5 mm noise on the upper side of every unit that is there."""
+    rng = np.random.default_rng(seed)
+    labels = [f"{2023 + k}-04-09" for k in range(epochs)]
+    tiles = []
+    for e, label in enumerate(labels):
+        clouds = []
+        for unit in (u for u in units if _present(u, epochs)[e]):
+            direction = rng.normal(size=(per_unit, 3))
+            direction[:, 2] = np.abs(direction[:, 2])
+            direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+            shape = PlacedShape(unit.centres[e], rotation_of_quaternion(unit.quaternions[e]), RADIUS, GRADIENT, LEG_LENGTH, LEGS)
+            clouds.append(unit.centres[e] + direction * reach(direction, shape)[:, None] + rng.normal(0, 0.005, (per_unit, 3)))
+        tiles.append((label, f"tile_{e}", np.vstack(clouds)))
+    write_index(index_folder(result), tiles, np.vstack([u.centres for u in units]), 1.5 * HEIGHT)
 
 
 def _present(unit: SyntheticUnit, epochs: int) -> list[bool]:
