@@ -25,6 +25,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
+from scipy.special import ndtri
 
 from .errors import InputError
 from .pose import Pose
@@ -38,6 +39,8 @@ PARAMETERS = ("e", "n", "h", "omega_e", "omega_n", "omega_h", "r", "c")
 FULL_WEIGHT, NO_WEIGHT = 2.5, 5.0
 """Standardised residuals up to which a point has full weight and from which it has none, with a biweight between (a three-part
 redescending function after Hampel): 99 % efficient for normal noise and fully for bounded noise, where the plain biweight loses 8 %."""
+SCALE_NARROWING = 0.8
+"""The scale of the residuals is estimated with weights this much narrower: bad points five deviations away must not widen it."""
 NONCENTRALITY = 4.13
 """Square root of the noncentrality of a test of one outlier with alpha = 0.1 % and power 80 % (Baarda, 1968)."""
 LOST = math.pi / math.sqrt(3)
@@ -49,6 +52,8 @@ EDGE_RATIO = 0.03
 """Width of the fillet along creases and of the chamfer around end discs that is left out, as a share of the height."""
 TIP_RATIO = 0.87
 """Share of the leg up to which the cone of a real leg holds; its tip is rounded."""
+APPROACH_SAMPLE = 400
+"""Points with which the adjustment comes near before it uses all."""
 CORRELATION_SAMPLE = 800
 """Points among which the correlation of residuals is looked for; all pairs are formed."""
 _LAGS = np.array([0.0, 0.006, 0.012, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.2, 0.25])
@@ -195,9 +200,9 @@ def _robust_weight(u: float) -> tuple[float, float]:
 
 
 def _scale_consistency() -> float:
-    """Weighted mean square of a standard normal variable under the robust weights; makes the scale consistent for clean data."""
+    """Weighted mean square of a standard normal variable under the weights of the scale; makes the scale consistent for clean data."""
     u = np.linspace(0, NO_WEIGHT, 2001)
-    v = np.clip((u - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT), 0, 1)
+    v = np.clip((u / SCALE_NARROWING - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT), 0, 1)
     mass = (1 - v * v) ** 2 * np.exp(-0.5 * u * u)
     return float(np.sum(mass * u * u) / np.sum(mass))
 
@@ -337,7 +342,8 @@ def _pass(  # type: ignore[no-untyped-def]
     what the covariance needs. Of the 12 unknowns the last four are the errors of the
     leg lengths. ``normal`` and ``rhs`` make the Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``
     (their rows' outer products), the others ``shared`` (derivative of their scores) and ``shared_scores`` (outer products of these).
-    Returns the weighted sum of squared residuals, the sum of weights, and the number, sum of psi^2 and of psi' of the former points.
+    Returns the sum of squared residuals and the sum of weights that make the scale, and of the former points the sums of psi^2, of
+    psi', and their number.
     """
     n = points.shape[0]
     r, c, length = shape[0], shape[1], shape[2]
@@ -430,8 +436,11 @@ def _pass(  # type: ignore[no-untyped-def]
                 weights[i] = w
                 for m in range(12):
                     rows[i, m] = row[m]
-            squares += w * u * u
-            total_weight += w
+            narrow = 1.0
+            if redescend:
+                narrow = _robust_weight(u / SCALE_NARROWING)[0]
+            squares += share * narrow * u * u
+            total_weight += share * narrow
             last = 8 if k < 4 else 12
             for a in range(last):
                 rhs[a] -= w * row[a] * u
@@ -467,8 +476,8 @@ def _pass(  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
-def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, scale, noise, out):  # type: ignore[no-untyped-def]
-    """What the noise along the surface adds to the normal equations but not to what the points determine, into ``out`` (8, 8).
+def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, noise, out):  # type: ignore[no-untyped-def]
+    """What the noise along the surface adds to the normal equations but not to what the points determine, into ``out`` (12, 12).
 
     Rows are taken at adjusted observations, which keep the noise along the surface, so legs look longer and better determining than
     they are. The second derivative of the distance, times the residual, cancels this in the expected derivative of the scores; both come
@@ -497,7 +506,7 @@ def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, sca
         variance = n @ spread
         along_t = (t @ (body_cov @ t) - (t @ spread) ** 2 / variance) * noise * noise
         along_g = (g @ (body_cov @ g) - (g @ spread) ** 2 / variance) * noise * noise
-        p = weights[i] / (scale * sds[i]) ** 2
+        p = weights[i] / (noise * sds[i]) ** 2
         shift = np.zeros(12)
         turn = np.zeros(12)
         if lateral:
@@ -603,7 +612,14 @@ def adjust(
     given = np.zeros(0, dtype=np.int64) if legs is None else np.ascontiguousarray(legs, dtype=np.int64)
     if legs is not None and (given.shape != (n,) or given.max(initial=0) > 3):
         raise ValueError(f"legs must be ({n},) numbers 0..3, or -1")
-    return _Solver(xyz, unit, pose, options, cov, given).solve()
+    solver = _Solver(xyz, unit, pose, options, cov, given)
+    if n <= 2 * APPROACH_SAMPLE:
+        return solver.solve(solver.approach())
+    some = slice(None, None, n // APPROACH_SAMPLE)
+    rough = _Solver(np.ascontiguousarray(xyz[some]), unit, pose, options, cov[some], np.ascontiguousarray(given[some]))
+    scale = rough.approach()
+    solver.restore(rough.state())
+    return solver.solve(scale)
 
 
 def beam_covariances(points: ArrayLike, sensors: ArrayLike, range_sd: float, angle_sd: float) -> FloatArray:
@@ -652,42 +668,99 @@ class _Solver:
         self.scaling = np.array([unit.leg_length] * 3 + [1.0] * 3 + [unit.leg_length, 1.0] + [unit.leg_length] * 4)
         length_sd = 0.003 * unit.leg_length if options.leg_length_sd is None else options.leg_length_sd
         self.prior_sd = np.array([math.inf] * 6 + [options.radius_sd, options.gradient_sd] + [length_sd] * 4)
+        with np.errstate(divide="ignore"):
+            self.prior_weights = np.where((self.prior_sd > 0) & np.isfinite(self.prior_sd), 1 / self.prior_sd**2, 0.0)
         self.floor = 1e-7 * unit.height if not len(cov) else 1e-7
 
-    def solve(self) -> Adjustment:
+    def solve(self, scale: float) -> Adjustment:
         options = self.options
-        start = 0.02 * self.unit.height
-        if len(self.cov):
-            start /= math.sqrt(float(np.mean(np.trace(self.cov, axis1=1, axis2=2))) / 3)
-        self.linearise(start, redescend=False)
-        scale = self.median_scale()
-        coarse, converged = True, False
+        discs_sought = options.end_discs != "auto"
+        converged = False
         iteration = 0
         while iteration < options.max_iterations:
             iteration += 1
-            squares, weight_sum = self.linearise(scale, redescend=self.options.robust)
-            if weight_sum < MIN_POINTS:
+            squares, weight_sum = self.linearise(scale, redescend=options.robust)
+            if self.weights.sum() < MIN_POINTS:
                 raise InputError(
                     "too few points lie near the unit's surface to adjust it", remedy="check the approximate pose and the unit's height"
                 )
             gain = self.step()
-            if coarse:
-                if gain < 0.1:
-                    coarse = False
-                    if options.end_discs == "auto":
-                        self.find_discs(scale)
-                previous, scale = scale, self.median_scale()
-            else:
-                previous, scale = scale, self.refined_scale(scale, squares, weight_sum)
-            if not coarse and gain < 1e-3 and abs(scale - previous) < 2e-3 * previous:
+            previous, scale = scale, self.refined_scale(scale, squares, weight_sum)
+            if gain < 1e-3 and abs(scale - previous) < 2e-3 * previous:
+                if not discs_sought:
+                    discs_sought = True
+                    if self.find_discs(scale):
+                        continue
                 if self.close_legs(scale):
                     continue
                 converged = True
                 break
         return self.result(scale, converged, iteration)
 
+    def approach(self) -> float:
+        """Come near from an approximate pose; returns the scale of the residuals.
+
+        A wide window for the robust weights finds the way from afar, a narrow one does not follow other surfaces nearby. Narrower
+        ones are tried only if the residuals do not look like noise, and the pose that brings most points close is kept.
+        """
+        start = self.state()
+        best: tuple[float, float, tuple[FloatArray, ...]] = (math.inf, math.inf, start)
+        for window in (1.0, 0.4, 0.15) if self.options.robust else (1.0,):
+            self.restore(start)
+            scale = self.approach_through(window)
+            closeness = self.quantile_scale(0.6)
+            if closeness < best[0]:
+                best = closeness, scale, self.state()
+            if scale < 0.01 * self.unit.height and self.share_within(scale) > 0.9:
+                break
+        self.restore(best[2])
+        return best[1]
+
+    def approach_through(self, window: float) -> float:
+        """One approach: pose alone until it settles, then all parameters with the window narrowed below the noise and widened again.
+
+        Bad points in one place (a neighbour, growth) pull a fit until they look like noise; the narrow window lets go of them. This
+        is kept if more of all points then lie closer.
+        """
+        first = 0.02 * self.unit.height
+        if len(self.cov):
+            first /= math.sqrt(float(np.mean(np.trace(self.cov, axis1=1, axis2=2))) / 3)
+        self.linearise(first, redescend=False)
+        for _ in range(30):
+            scale = window * self.quantile_scale(0.35)
+            self.linearise(scale, redescend=self.options.robust)
+            if self.step(hold_shape=True) < 0.1:
+                break
+        scale = self.quantile_scale(0.35)
+        if not self.options.robust:
+            return scale
+        closeness, wide = self.quantile_scale(0.6), self.state()
+        tight = window * scale
+        while tight > max(self.options.sigma or 0.0, self.floor) and self.share_within(tight) > 0.5:
+            tight *= 0.6
+            self.linearise(tight, redescend=True)
+            self.step()
+        for _ in range(20):
+            squares, weight_sum = self.linearise(tight, redescend=True)
+            self.step()
+            previous, tight = tight, self.refined_scale(tight, squares, weight_sum)
+            if abs(tight - previous) < 0.05 * tight:
+                break
+        self.linearise(tight, redescend=True)
+        if self.quantile_scale(0.6) < closeness:
+            return tight
+        self.restore(wide)
+        self.linearise(scale, redescend=True)
+        return scale
+
+    def state(self) -> tuple[FloatArray, ...]:
+        return self.centre.copy(), self.rotation.copy(), self.shape.copy(), self.leg_errors.copy()
+
+    def restore(self, state: tuple[FloatArray, ...]) -> None:
+        self.centre, self.rotation, self.shape, self.leg_errors = (part.copy() for part in state)
+
     def linearise(self, scale: float, *, redescend: bool, final: bool = False) -> tuple[float, float]:
-        """Refresh the normal equations; returns the weighted sum of squares and the sum of weights."""
+        """Refresh the normal equations; returns the sums of squares and of weights that make the scale."""
         noise = scale if self.options.sigma is None else self.options.sigma
         squares, weight_sum, self.psi_squares, self.slopes, self.singles = _pass(
             self.xyz, self.centre, self.rotation, self.axes, self.shape, self.unit.leg_length + self.leg_errors, self.cov, self.given,
@@ -695,33 +768,31 @@ class _Solver:
             self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
             self.biases, self.weights, self.rows, self.feet,
         )  # fmt: skip
-        weighted = self.prior_weights()
-        self.normal[np.diag_indices(12)] += weighted
-        self.rhs[6:8] += weighted[6:8] * (self.nominal - self.shape[:2])
-        self.rhs[8:] -= weighted[8:] * self.leg_errors
+        self.normal.flat[::13] += self.prior_weights
+        self.rhs[6:8] += self.prior_weights[6:8] * (self.nominal - self.shape[:2])
+        self.rhs[8:] -= self.prior_weights[8:] * self.leg_errors
         return float(squares), float(weight_sum)
-
-    def prior_weights(self) -> FloatArray:
-        with np.errstate(divide="ignore"):
-            return np.where((self.prior_sd > 0) & np.isfinite(self.prior_sd), 1 / self.prior_sd**2, 0.0)
 
     def free(self) -> NDArray[np.bool_]:
         return np.concatenate([self.prior_sd[:8] > 0, self.discs])
 
-    def step(self) -> float:
+    def step(self, *, hold_shape: bool = False) -> float:
         """Make one Gauss-Newton step, no longer than a leg's width; returns its squared length in standard deviations."""
         free = self.free()
-        scaling = self.scaling[free]
-        matrix = self.normal[np.ix_(free, free)] * np.outer(scaling, scaling)
+        if hold_shape:
+            free[6:8] = False
+        chosen = np.flatnonzero(free)
+        scaling = self.scaling[chosen]
+        damped = self.normal[chosen[:, None], chosen] * (scaling[:, None] * scaling)
         # the damping only holds still what the points do not determine; at convergence it has no effect
-        damped = matrix + np.eye(len(scaling)) / DETERMINED**2
-        along = scaling * self.rhs[free]
+        damped.flat[:: len(chosen) + 1] += 1 / DETERMINED**2
+        along = scaling * self.rhs[chosen]
         inner = np.linalg.solve(damped, along)
         change = np.zeros(12)
-        change[free] = scaling * inner
+        change[chosen] = scaling * inner
         longest = max(
-            float(np.linalg.norm(change[:3])) / (0.25 * self.unit.radius),
-            float(np.linalg.norm(change[3:6])) / 0.15,
+            math.hypot(*change[:3]) / (0.25 * self.unit.radius),
+            math.hypot(*change[3:6]) / 0.15,
             abs(change[6]) / (0.1 * self.unit.radius),
             abs(change[7]) / 0.05,
             1.0,
@@ -739,12 +810,17 @@ class _Solver:
     def standardised(self) -> FloatArray:
         return np.asarray((self.residuals - self.biases) / self.sds)
 
-    def median_scale(self) -> float:
+    def share_within(self, scale: float) -> float:
+        """Share of all points inside the window of the robust weights."""
+        return float(np.mean(np.abs(self.standardised()) < NO_WEIGHT * scale))
+
+    def quantile_scale(self, share: float) -> float:
+        """Scale of the residuals of all points, from the quantile of their sizes at ``share``."""
         u = np.abs(self.standardised())
-        u = u[np.isfinite(u)]
-        scale = 1.4826 * float(np.median(u)) if len(u) else 0.0
+        u[~np.isfinite(u)] = math.inf
+        scale = float(np.partition(u, int(share * len(u)))[int(share * len(u))]) / float(ndtri(0.5 * (1 + share)))
         # a known noise still needs a wide start while the pose is rough
-        return max(scale, self.options.sigma or self.floor)
+        return min(max(scale, self.options.sigma or self.floor), 1e6 * self.unit.height)
 
     def refined_scale(self, scale: float, squares: float, weight_sum: float) -> float:
         if self.options.sigma is not None:
@@ -752,10 +828,10 @@ class _Solver:
         if not self.options.robust:
             free = float(self.free().sum())
             return max(scale * math.sqrt(squares / max(weight_sum - free, 1.0)), self.floor)
-        return max(scale * math.sqrt(squares / weight_sum / _SCALE_CONSISTENCY), self.floor)
+        return max(scale * math.sqrt(squares / max(weight_sum, 1.0) / _SCALE_CONSISTENCY), self.floor)
 
-    def find_discs(self, scale: float) -> None:
-        """Use the end disc of a leg where the points show a plane at the nominal length: many, thin, and in the right place."""
+    def find_discs(self, scale: float) -> bool:
+        """Use the end disc of a leg where the points show a plane at the nominal length: many, thin, in place. Tells of any."""
         body = (self.xyz - self.centre) @ self.rotation
         length, tolerance = self.unit.leg_length, self.prior_sd[8]
         noise = scale * float(np.mean(self.sds[np.isfinite(self.residuals)]))
@@ -772,6 +848,7 @@ class _Solver:
             spread = 1.4826 * float(np.median(np.abs(beyond[near] - middle)))
             off = 4 * math.hypot(tolerance, 1.5 * noise / math.sqrt(near.sum()))
             self.discs[k] = spread < 1.5 * noise and abs(middle) < off
+        return bool(self.discs.any())
 
     def close_legs(self, scale: float) -> bool:
         """Shut legs that own no points beyond doubt: what a crease shares with them says nothing about where they are."""
@@ -790,13 +867,10 @@ class _Solver:
 
     def result(self, scale: float, converged: bool, iterations: int) -> Adjustment:
         squares, weight_sum = self.linearise(scale, redescend=self.options.robust, final=True)
-        excess = np.zeros((12, 12))
-        _row_excess(
-            self.feet, self.legs, self.parts, self.weights, self.sds, self.rotation, self.axes, self.shape, self.cov, scale, scale, excess
-        )
+        excess = self.row_excess(scale)
         free = self.free()
         scaling = self.scaling[free]
-        prior = np.diag(self.prior_weights())
+        prior = np.diag(self.prior_weights)
         slope = self.slopes / max(self.singles, 1.0)
         bread = (slope * self.plain + self.shared - excess + prior)[np.ix_(free, free)] * np.outer(scaling, scaling)
         count = max(float((self.weights > 0).sum()), 1.0)
@@ -821,7 +895,7 @@ class _Solver:
         lost = undetermined * self.scaling[:8]
         covariance += LOST**2 * lost.T @ lost
         used = self.weights > 0
-        influence = self.weights * np.einsum("ij,jk,ik->i", self.rows, white, self.rows) if used.any() else np.zeros(len(self.xyz))
+        influence = self.weights * np.sum(self.rows @ white * self.rows, axis=1)
         redundancy_numbers = np.where(used, np.clip(1 - influence, 0.0, 1.0), 0.0)
         with np.errstate(divide="ignore"):
             detectable = NONCENTRALITY * scale * self.sds / np.sqrt(redundancy_numbers)
@@ -832,10 +906,30 @@ class _Solver:
         a_priori = self.options.sigma or (1.0 if len(self.cov) else noise)
         return Adjustment(
             Pose(self.centre, self.rotation), float(self.shape[0]), float(self.shape[1]), covariance, noise / a_priori, noise * mean_sd,
-            float(weight_sum - np.sum(influence)), redundancy_numbers, detectable, self.weights.copy(), np.where(used, self.legs, -1),
-            self.parts.copy(), self.residuals.copy(), float(weight_sum / inflation), converged, iterations, undetermined, visible,
+            float(self.weights.sum() - influence.sum()), redundancy_numbers, detectable, self.weights.copy(), np.where(used, self.legs, -1),
+            self.parts.copy(), self.residuals.copy(), float(self.weights.sum() / inflation), converged, iterations, undetermined, visible,
             _flags(visible, len(undetermined), bool(used.any() and (self.parts[used] == END_DISC).all())),
         )  # fmt: skip
+
+    def row_excess(self, scale: float) -> FloatArray:
+        """(12, 12) noise part of the normal equations; a smooth sum, taken over some of the points."""
+        some = slice(None, None, max(1, len(self.xyz) // APPROACH_SAMPLE))
+        feet, cov = np.ascontiguousarray(self.feet[some]), np.ascontiguousarray(self.cov[some])
+        excess = np.zeros((12, 12))
+        _row_excess(
+            feet,
+            self.legs[some],
+            self.parts[some],
+            self.weights[some],
+            self.sds[some],
+            self.rotation,
+            self.axes,
+            self.shape,
+            cov,
+            scale,
+            excess,
+        )
+        return np.asarray(excess * (self.weights.sum() / max(self.weights[some].sum(), 1.0)))
 
     def consistency(self) -> float:
         return _SCALE_CONSISTENCY if self.options.robust else 1.0
