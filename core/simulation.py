@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from .pose import Pose
 from .tetrapod import sample_surface
@@ -128,6 +128,6 @@ def cloud_of(
         body, _, leg = sample_surface(unit, count, rng, end_discs=False)
         points.append(pose.to_frame(body))
         legs.append(leg)
-    exact: ArrayLike = np.vstack(points)
-    noisy = exact + rng.uniform(-noise, noise, np.shape(exact))
+    exact = np.vstack(points)
+    noisy = exact + rng.uniform(-noise, noise, exact.shape)
     return SimulatedCloud(noisy, np.repeat(np.arange(len(poses)), count), np.concatenate(legs), poses)

@@ -104,7 +104,7 @@ INSTRUMENTS: dict[Instrument, VirtualInstrument] = {
 
 
 @dataclass(frozen=True)
-class SurveyPlan:
+class SimulationPlan:
     """What to simulate.
 
     Attributes
@@ -208,7 +208,7 @@ class _Frame:
         return Pose(self.place(pose.centre), self.turn @ pose.rotation)
 
 
-def simulate_survey(plan: SurveyPlan, folder: Path, progress: Callable[[float, str], None] | None = None) -> Path:
+def simulate_survey(plan: SimulationPlan, folder: Path, progress: Callable[[float, str], None] | None = None) -> Path:
     """Simulate a survey and write it as a folder with ``survey.toml``, tiles, control and ``truth/``.
 
     Parameters
@@ -255,7 +255,7 @@ def simulate_survey(plan: SurveyPlan, folder: Path, progress: Callable[[float, s
 class _Simulation:
     """One run of ``simulate_survey``: the pile as it changes, and the files as they are written."""
 
-    def __init__(self, plan: SurveyPlan, folder: Path) -> None:
+    def __init__(self, plan: SimulationPlan, folder: Path) -> None:
         self.plan, self.folder = plan, folder
         self.rng = np.random.default_rng(plan.seed)
         self.instrument = INSTRUMENTS[plan.instrument]
@@ -472,7 +472,7 @@ class _Simulation:
         (self.folder / "survey.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-def _vet_crs(plan: SurveyPlan) -> None:
+def _vet_crs(plan: SimulationPlan) -> None:
     if plan.crs == "LOCAL":
         return
     from pyproj import CRS
@@ -487,7 +487,7 @@ def _vet_crs(plan: SurveyPlan) -> None:
             raise CrsError(f"{name} is not projected", where="crs", remedy="Give a projected CRS or LOCAL.")
 
 
-def _times(plan: SurveyPlan) -> tuple[datetime, ...]:
+def _times(plan: SimulationPlan) -> tuple[datetime, ...]:
     """Epochs half a year apart, a day apart in the laboratory."""
     gap = timedelta(days=1) if plan.laboratory else timedelta(days=183)
     start = datetime(plan.first_day.year, plan.first_day.month, plan.first_day.day, 2, 30, tzinfo=UTC)
@@ -498,7 +498,7 @@ def _label(time: datetime) -> str:
     return f"{time:%Y-%m-%d}"
 
 
-def _edges(middle: float, values: FloatArray, count: int, plan: SurveyPlan) -> FloatArray:
+def _edges(middle: float, values: FloatArray, count: int, plan: SimulationPlan) -> FloatArray:
     """Inner tile edges at round coordinates, about equal strips."""
     if count == 1:
         return np.array([])
@@ -510,7 +510,7 @@ def _edges(middle: float, values: FloatArray, count: int, plan: SurveyPlan) -> F
     return np.asarray(np.round(inner / step) * step)
 
 
-def _write_las(path: Path, points: FloatArray, cloud: Returns, plan: SurveyPlan, time: datetime, generator: str) -> None:
+def _write_las(path: Path, points: FloatArray, cloud: Returns, plan: SimulationPlan, time: datetime, generator: str) -> None:
     import laspy
     from laspy.vlrs.known import WktCoordinateSystemVlr
     from pyproj import CRS
@@ -545,18 +545,18 @@ def _write_csv(path: Path, header: str, rows: Iterable[Iterable[object]]) -> Non
         writer.writerows(rows)
 
 
-def example_plans() -> dict[str, SurveyPlan]:
+def example_plans() -> dict[str, SimulationPlan]:
     """Ready plans by name: one of each instrument, and a coast without units."""
-    uav = SurveyPlan("uav", crs="EPSG:5186", las_crs="EPSG:5186+5193", origin=(236480.0, 285120.0, 0.0), seed=11)
+    uav = SimulationPlan("uav", crs="EPSG:5186", las_crs="EPSG:5186+5193", origin=(236480.0, 285120.0, 0.0), seed=11)
     return {
         "uav": uav,
-        "tls": SurveyPlan(
+        "tls": SimulationPlan(
             "tls", "tls", 58, 2.6, crs="EPSG:32652", origin=(523170.0, 3884610.0, 0.0), azimuth_deg=287, tiles=(3, 1), seed=12
         ),
-        "photogrammetry": SurveyPlan(
+        "photogrammetry": SimulationPlan(
             "photogrammetry", "photogrammetry", 70, 2.9, crs="EPSG:2154", origin=(1176200.0, 6105300.0, 0.0), seed=13
         ),
-        "laboratory": SurveyPlan(
+        "laboratory": SimulationPlan(
             "laboratory", "depth_camera", 4, 0.105, crs="LOCAL", origin=(1.0, 1.8, 0.75), azimuth_deg=0, tiles=(2, 1), seed=14
         ),
         "rock": replace(uav, name="rock", units=0, epochs=1, seed=15),

@@ -14,7 +14,7 @@ from tetratrack.core.pose import Pose
 from tetratrack.core.simulation import cloud_of, interlocked_poses, interlocked_rows, single_unit
 from tetratrack.core.tetrapod import relate, sample_surface
 from tetratrack.core.unit_types import UnitType
-from tetratrack.core.virtual_survey import SurveyPlan
+from tetratrack.core.virtual_survey import SimulationPlan
 
 PAPER_UNIT = UnitType.tetrapod(3.608833, radius=1.0, gradient=0.1958, leg_length=2.32409)
 
@@ -92,7 +92,7 @@ def test_changes_keep_units_apart_and_say_what_happened() -> None:
 )
 def test_a_plan_that_cannot_be_simulated_names_the_field(field: str, value: object) -> None:
     with pytest.raises(InputError) as caught:
-        dataclasses.replace(SurveyPlan("x"), **{field: value})
+        dataclasses.replace(SimulationPlan("x"), **{field: value})
     assert caught.value.where == field
     assert caught.value.remedy
 
@@ -102,7 +102,7 @@ def test_an_existing_folder_or_a_geographic_crs_is_refused(tmp_path: Path) -> No
     from tetratrack.core.virtual_survey import simulate_survey
 
     with pytest.raises(OutputError, match="exists"):
-        simulate_survey(SurveyPlan("x", units=0), tmp_path)
+        simulate_survey(SimulationPlan("x", units=0), tmp_path)
     with pytest.raises(CrsError, match="not projected"):
-        simulate_survey(SurveyPlan("x", units=0, crs="EPSG:4326"), tmp_path / "new")
+        simulate_survey(SimulationPlan("x", units=0, crs="EPSG:4326"), tmp_path / "new")
     assert list(tmp_path.iterdir()) == []

@@ -20,15 +20,15 @@ from tetratrack.core.pose import Pose
 from tetratrack.core.survey import Survey, read_survey
 from tetratrack.core.tetrapod import relate, sample_surface
 from tetratrack.core.unit_types import UnitType
-from tetratrack.core.virtual_survey import SurveyPlan, simulate_survey
+from tetratrack.core.virtual_survey import SimulationPlan, simulate_survey
 
 PLANS = {
-    "uav": SurveyPlan(
+    "uav": SimulationPlan(
         "small", "uav", 4, 2.3, seed=3, density=250, changes=Changes(moved=1), tiles=(2, 1), origin=(512000.0, 5_712_000.0, 0.0)
     ),
-    "tls": SurveyPlan("small", "tls", 3, 2.0, seed=4, density=300, epochs=1, tiles=(1, 1)),
-    "photogrammetry": SurveyPlan("small", "photogrammetry", 3, 2.0, seed=5, density=250, epochs=1, tiles=(1, 1)),
-    "depth_camera": SurveyPlan(
+    "tls": SimulationPlan("small", "tls", 3, 2.0, seed=4, density=300, epochs=1, tiles=(1, 1)),
+    "photogrammetry": SimulationPlan("small", "photogrammetry", 3, 2.0, seed=5, density=250, epochs=1, tiles=(1, 1)),
+    "depth_camera": SimulationPlan(
         "small", "depth_camera", 3, 0.105, seed=6, density=60_000, crs="LOCAL", origin=(1.0, 1.8, 0.75), tiles=(1, 1)
     ),
 }
@@ -40,13 +40,13 @@ def rows(path: Path) -> list[dict[str, str]]:
 
 
 @pytest.fixture(scope="module", params=list(PLANS))
-def survey(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[SurveyPlan, Survey]:
+def survey(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[SimulationPlan, Survey]:
     plan = PLANS[request.param]
     path = simulate_survey(plan, tmp_path_factory.mktemp(request.param) / "survey")
     return plan, read_survey(path)
 
 
-def test_points_of_a_unit_lie_on_it_once_registered(survey: tuple[SurveyPlan, Survey]) -> None:
+def test_points_of_a_unit_lie_on_it_once_registered(survey: tuple[SimulationPlan, Survey]) -> None:
     """Tiles, targets, control, labels and poses tell one story: distances to the true surface are noise, roughness and offsets."""
     plan, site = survey
     truth = rows(site.path.parent / "truth" / "units.csv")
@@ -78,7 +78,7 @@ def test_points_of_a_unit_lie_on_it_once_registered(survey: tuple[SurveyPlan, Su
         assert 1.4826 * np.median(np.abs(residuals - np.median(residuals))) < scale
 
 
-def test_truth_is_complete_and_consistent(survey: tuple[SurveyPlan, Survey]) -> None:
+def test_truth_is_complete_and_consistent(survey: tuple[SimulationPlan, Survey]) -> None:
     plan, site = survey
     truth = site.path.parent / "truth"
     units = {(r["unit_id"], r["epoch"]): r for r in rows(truth / "units.csv")}
@@ -103,7 +103,7 @@ def test_truth_is_complete_and_consistent(survey: tuple[SurveyPlan, Survey]) -> 
         assert (float(row["d_3d"]) > 0) == (row["moved"] == "1")
 
 
-def test_check_points_keep_their_names_and_lie_on_true_feature_points(survey: tuple[SurveyPlan, Survey]) -> None:
+def test_check_points_keep_their_names_and_lie_on_true_feature_points(survey: tuple[SimulationPlan, Survey]) -> None:
     plan, site = survey
     sd = 0.0002 if plan.laboratory else 0.003
     features = rows(site.path.parent / "truth" / "feature_points.csv")
@@ -130,7 +130,7 @@ def test_the_same_plan_gives_the_same_survey(tmp_path: Path) -> None:
 
 
 def test_a_coast_without_units_has_no_unit_points(tmp_path: Path) -> None:
-    folder = simulate_survey(SurveyPlan("bare", units=0, epochs=1, density=60, tiles=(1, 1)), tmp_path / "bare").parent
+    folder = simulate_survey(SimulationPlan("bare", units=0, epochs=1, density=60, tiles=(1, 1)), tmp_path / "bare").parent
     with np.load(folder / "truth" / f"labels_{read_survey(folder / 'survey.toml').epochs[0].label}.npz") as labels:
         values = np.concatenate(list(labels.values()))
     assert {-1, -3} <= set(values.tolist())
