@@ -23,7 +23,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtGui import QIcon
 
-from ..core.schema import LAYERS, Layer
+from ..core.schema import LAYERS
 from ..plugin.engine import EngineCancelled, EngineError, Listener, find_engine, missing_engine_message, run_engine
 from ..plugin.layers import FIELD_TYPES, layer_title, style_on_load, wkb_type
 from ..plugin.translation import tr
@@ -158,8 +158,9 @@ class TetratrackAlgorithm(QgsProcessingAlgorithm):
         source = open_layer(path, layer)
         if not parameters.get(name) and self.parameterDefinition(name).flags() & Qgis.ProcessingParameterFlag.Optional:
             return None, source.featureCount()
-        fields = layer_fields(LAYERS[layer], source)
-        sink, identifier = self.parameterAsSink(parameters, name, context, fields, wkb_type(LAYERS[layer].geometry), source.crs())
+        fields = layer_fields(layer, source)
+        kind = wkb_type(LAYERS[layer].geometry) if layer in LAYERS else source.wkbType()
+        sink, identifier = self.parameterAsSink(parameters, name, context, fields, kind, source.crs())
         if sink is None:
             raise QgsProcessingException(self.invalidSinkError(parameters, name))
         rows = 0
@@ -170,7 +171,7 @@ class TetratrackAlgorithm(QgsProcessingAlgorithm):
             if not sink.addFeature(row, QgsFeatureSink.Flag.FastInsert):
                 raise QgsProcessingException(self.writeFeatureError(sink, parameters, name))
             rows += 1
-        sink.finalize()
+        sink.flushBuffer()
         style_on_load(context, identifier, layer, group)
         return identifier, rows
 
@@ -196,12 +197,12 @@ def open_layer(path: Path, layer: str) -> QgsVectorLayer:
     return found
 
 
-def layer_fields(layer: Layer, source: QgsVectorLayer) -> QgsFields:
+def layer_fields(layer: str, source: QgsVectorLayer) -> QgsFields:
     """Fields of a sink: those of the schema, in its order and with its types, then any further ones of the source."""
     fields = QgsFields()
-    for field in layer.fields:
+    for field in LAYERS[layer].fields if layer in LAYERS else ():
         fields.append(QgsField(field.name, FIELD_TYPES[field.type]))
     for field in source.fields():
-        if field.name() not in layer.names and field.name() != "fid":
+        if fields.lookupField(field.name()) < 0 and field.name() != "fid":
             fields.append(field)
     return fields

@@ -95,10 +95,28 @@ def _toml(value: Any) -> str:
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
+class TilesParameter(QgsProcessingParameterMultipleLayers):
+    """Point cloud layers, or files and folders that QGIS itself may be unable to open: a QGIS without PDAL reads no LAZ."""
+
+    def __init__(self, name: str, label: str) -> None:
+        super().__init__(name, label, Qgis.ProcessingSourceType.PointCloud)
+
+    def clone(self) -> TilesParameter:
+        copy = TilesParameter(self.name(), self.description())
+        copy.setHelp(self.help())
+        copy.setFlags(self.flags())
+        return copy
+
+    def checkValueIsAcceptable(self, value: Any, context: QgsProcessingContext | None = None) -> bool:
+        """Anything that names something; what it names is looked up with :func:`tile_paths`."""
+        items = value if isinstance(value, (list, tuple)) else [value]
+        return bool(items) and all(isinstance(item, (str, QgsMapLayer)) and item for item in items)
+
+
 def add_tiles(algorithm: TetratrackAlgorithm, *, name: str = TILES, label: str = "") -> None:
     """Point cloud of one epoch: files, a folder, a virtual point cloud or layers."""
     algorithm.add(
-        QgsProcessingParameterMultipleLayers(name, label or tr("Point cloud tiles"), Qgis.ProcessingSourceType.PointCloud),
+        TilesParameter(name, label or tr("Point cloud tiles")),
         tr("LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres."),
     )
 
@@ -267,7 +285,9 @@ def _virtual_point_cloud(path: Path, where: str) -> list[str]:
 
 
 def unit_values(algorithm: TetratrackAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext) -> dict[str, Any]:
-    """Section [unit] of survey.toml."""
+    """Section [unit] of survey.toml; steps that do not look at units state any."""
+    if algorithm.parameterDefinition(UNIT) is None:
+        return {"type": UNIT_HINTS[7]}
     values: dict[str, Any] = {"type": algorithm.parameterAsString(parameters, UNIT, context).strip()}
     for name, key in ((HEIGHT, "height"), (RADIUS, "radius"), (GRADIENT, "gradient"), (LEG_LENGTH, "leg_length")):
         if parameters.get(name) is not None:

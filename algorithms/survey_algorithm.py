@@ -187,7 +187,8 @@ def write_layers(
             row.setAttributes([feature.attribute(name) for name in names])
             writer.addFeature(row)
     problem = writer.errorMessage()
-    writer.finalize()
+    # the file is complete when the writer is gone
+    del writer
     if problem:
         raise QgsProcessingException(problem)
     return path
