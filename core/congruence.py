@@ -129,7 +129,6 @@ def test_congruence(
     scale
         Length of the units in metres (H), for the broad component of moved units.
     """
-    n = len(displacements)
     known = prior is not None
     sigma = _free_prior() if prior is None else _regular(prior)
     a = rigid_jacobian(points - origin)

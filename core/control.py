@@ -96,6 +96,11 @@ class Transformation:
         reduced = np.asarray(points, dtype=np.float64) - self.origin_from
         return np.asarray(self.scale * reduced @ self.rotation.T + (self.origin_to + self.translation))
 
+    def invert(self, points: ArrayLike) -> FloatArray:
+        """(n, 3) coordinates of the control frame to the cloud."""
+        reduced = np.asarray(points, dtype=np.float64) - (self.origin_to + self.translation)
+        return np.asarray(reduced @ self.rotation / self.scale + self.origin_from)
+
     def apply_pose(self, pose: Pose) -> Pose:
         """Pose in the cloud to the control frame."""
         return Pose(self.apply(pose.centre[None])[0], self.rotation @ pose.rotation)
@@ -351,7 +356,7 @@ def to_survey_frame(points: SurveyedPoints, crs: str | None, survey_crs: str, un
     given = points.coordinates * [horizontal_factor, horizontal_factor, height_factor]
     try:
         transformer = pyproj.Transformer.from_crs(source, target, always_xy=True, only_best=True)
-        moved = np.column_stack(transformer.transform(*given.T, errcheck=True))
+        moved = np.column_stack(transformer.transform(given[:, 0], given[:, 1], given[:, 2], errcheck=True))
     except ProjError as error:
         raise CrsError(
             f"cannot be transformed from {crs} to {survey_crs} ({error})", source=points.source, remedy=f"Give control in {survey_crs}."

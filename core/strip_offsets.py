@@ -79,14 +79,15 @@ class JointAdjustment:
     poses
         Of each sighting, in the order given.
     covariances
-        By unit: ((k, 6 k, 6 k) flattened to (6 k, 6 k)) covariance of the poses of the unit's sightings, in the order of
-        ``order[unit]``; e, n, h, w_e, w_n, w_h each. It holds noise, surface deviations and offsets.
+        By unit: (6 k, 6 k) covariance of the poses of its k sightings, in the order of ``order[unit]``; e, n, h, w_e, w_n, w_h each. It holds noise, surface deviations and offsets.
     order
         By unit: indices of its sightings, by epoch.
     offsets
         (epoch, source) to (3,) offset in metres: a point less its offset is in the epoch's mean frame.
     offset_sds
         (epoch, source) to (3,) standard deviations.
+    scales
+        By unit: relative difference of its size from the given geometry.
     noise
         (e,) standard deviation of a point along the surface normal by epoch, metres.
     surface_sd
@@ -100,6 +101,7 @@ class JointAdjustment:
     order: dict[int, tuple[int, ...]]
     offsets: dict[tuple[int, int], FloatArray]
     offset_sds: dict[tuple[int, int], FloatArray]
+    scales: dict[int, float]
     noise: FloatArray
     surface_sd: float
     used: IntArray
@@ -246,7 +248,7 @@ class _JointSolver:
             self.order[s.unit] = (*self.order.get(s.unit, ()), k)
         self.centres = [np.array(s.pose.centre) for s in self.sightings]
         self.rotations = [np.ascontiguousarray(s.pose.rotation) for s in self.sightings]
-        self.scales = {unit: 0.0 for unit in self.order}
+        self.scales = dict.fromkeys(self.order, 0.0)
         self.noise = np.full(max(self.epochs, 1), math.nan)
         self.surface_sd = 0.0
         self.rows = [np.zeros((len(s.points), 7)) for s in self.sightings]
@@ -331,7 +333,7 @@ class _JointSolver:
 
     def solve(self) -> JointAdjustment:
         if not self.sightings:
-            return JointAdjustment((), {}, {}, {}, {}, self.noise, 0.0, self.used)
+            return JointAdjustment((), {}, {}, {}, {}, {}, self.noise, 0.0, self.used)
         for iteration in range(MAX_ITERATIONS):
             self.observe()
             if iteration < 4:
@@ -398,6 +400,7 @@ class _JointSolver:
             self.order,
             {key: self.offsets[k] for key, k in self.strips.items()},
             {key: sds[k] for key, k in self.strips.items()},
+            self.scales,
             self.noise,
             self.surface_sd,
             self.used,

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from .crs import LOCAL, check_survey_crs
 from .errors import InputError
@@ -52,6 +52,8 @@ class Epoch:
         CSV files of surveyed targets, of the targets measured in the cloud and of check points, or None.
     tiles_crs
         CRS of tiles whose header declares none, or None.
+    control_crs, control_unit
+        CRS of the control file, None for the survey's, and length unit of its numbers.
     """
 
     label: str
@@ -61,6 +63,8 @@ class Epoch:
     targets: Path | None = None
     check: Path | None = None
     tiles_crs: str | None = None
+    control_crs: str | None = None
+    control_unit: Literal["m", "ft", "us-ft"] = "m"
 
 
 @dataclass(frozen=True)
@@ -167,11 +171,23 @@ SECTIONS: dict[str, dict[str, Key]] = {
         "tiles_crs": Key("text", "CRS of tiles whose header declares none", '"EPSG:32650"'),
         "control": Key("file", "surveyed targets: point_id,easting,northing,height,sd_e,sd_n,sd_h", '"control_2025-03-14.csv"'),
         "targets": Key("file", "the same targets as measured in this epoch's cloud: point_id,x,y,z", '"targets_2025-03-14.csv"'),
+        "control_crs": Key("text", "CRS of the control file where it is not the survey's", '"EPSG:5179"'),
+        "control_unit": Key(
+            "choice", "length unit of the control file's numbers", '"m"', choices=("m", "ft", "us-ft"), default="m"
+        ),
         "check": Key(
             "file",
             "check points, for validation only: point_id,unit_easting,unit_northing,unit_height,easting,northing,height,sd",
             '"check_2025-03-14.csv"',
         ),
+    },
+    "displacement": {
+        "significance": Key("number", "level of the test of each displacement", "0.05", default=0.05, least=0, most=0.5),
+        "watch": Key("number", "displacement graded watch, metres", "0.05", default=0.05, least=0),
+        "alert": Key("number", "displacement graded alert, metres", "0.10", default=0.10, least=0),
+        "partly_damaged": Key("number", "displacement graded partly damaged, in nominal diameters Dn", "0.5", default=0.5, least=0),
+        "damaged": Key("number", "displacement graded damaged, in nominal diameters Dn", "1.0", default=1.0, least=0),
+        "dislocated": Key("number", "displacement graded dislocated, in heights H", "1.0", default=1.0, least=0),
     },
 }
 """All keys by section; ``unit`` and ``epoch`` may be repeated as [[unit]] and [[epoch]]."""

@@ -7,7 +7,6 @@ feature points into the control frame, where epochs are compared.
 from __future__ import annotations
 
 import hashlib
-import json
 import math
 import os
 import sys
@@ -23,19 +22,31 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .block_jobs import GRADIENT_TOLERANCE, RADIUS_TOLERANCE, FitJob, SegmentJob, owners
+from .crs import LOCAL
 from .errors import Cancelled, InputError, OutputError
-from .feature_points import FEATURES, feature_points
-from .geopackage import check_output, from_upper_triangle, replace_durably, temporary_beside, upper_triangle, write_geopackage
+from .feature_points import FEATURES
+from .geopackage import check_output, from_upper_triangle, replace_durably, temporary_beside, write_geopackage
 from .pose import Pose
-from .run_record import RunRecord, record_run, software_version
+from .result_rows import (
+    EpochPlan,
+    EpochUnits,
+    control_rows,
+    epoch_row,
+    feature_rows,
+    fitted_feature_rows,
+    provisional_ids,
+    unit_rows,
+)
+from .run_record import RunRecord, record_run
 from .schema import LAYERS
-from .survey import Epoch, Survey
-from .tile_jobs import Block, JobRunner, load_arrays, plan_blocks
-from .tiles import TileInfo, inspect_tile
+from .survey import Survey
+from .tile_jobs import JobRunner, load_arrays, plan_blocks
+from .tiles import TileInfo, inspect_tile, read_points
 from .unit_types import UnitType
 
 if TYPE_CHECKING:
     from .control import Registration
+    from .tracking import Surroundings, TrackedEpoch
 
 FloatArray = NDArray[np.float64]
 Tables = dict[str, list[dict[str, Any]]]
@@ -94,61 +105,6 @@ class RunOptions:
     scheduler: str | None = None
     resume: bool = False
     seed: int = 0
-
-
-@dataclass(frozen=True, eq=False)
-class EpochPlan:
-    """An epoch with its checked tiles and the blocks it is cut into."""
-
-    epoch: Epoch
-    tiles: tuple[TileInfo, ...]
-    blocks: tuple[Block, ...]
-
-    @property
-    def points(self) -> int:
-        """Points of all tiles."""
-        return sum(tile.points for tile in self.tiles)
-
-
-@dataclass(frozen=True, eq=False)
-class EpochUnits:
-    """Units of one epoch, in the frame of its cloud.
-
-    Attributes
-    ----------
-    plan
-        The epoch.
-    table
-        Arrays by column, one row per unit in order of easting; ``poses`` (k, 12) are absolute. See :mod:`block_jobs`.
-    places
-        (k, 2) number of the file in ``files`` and row in it that hold each unit's points.
-    files
-        Results of the blocks' jobs.
-    """
-
-    plan: EpochPlan
-    table: Mapping[str, NDArray[Any]]
-    places: NDArray[np.int64]
-    files: tuple[Path, ...]
-
-    def __len__(self) -> int:
-        return len(self.places)
-
-    def pose(self, row: int) -> Pose:
-        """Absolute pose of a unit in the frame of the cloud."""
-        values = self.table["poses"][row]
-        return Pose(values[:3], values[3:].reshape(3, 3))
-
-    def points(self) -> Iterator[tuple[int, FloatArray, NDArray[np.uint16]]]:
-        """Row, (n, 3) absolute points and (n,) source ids of every unit, file by file."""
-        for number, path in enumerate(self.files):
-            rows = np.flatnonzero(self.places[:, 0] == number)
-            arrays = load_arrays(path) if len(rows) else None
-            if arrays is None:
-                continue
-            for row in rows:
-                own = slice(arrays["offsets"][self.places[row, 1]], arrays["offsets"][self.places[row, 1] + 1])
-                yield int(row), arrays["points"][own] + arrays["origin"], arrays["sources"][own]
 
 
 def plan_survey(survey: Survey, feedback: Feedback | None = None) -> tuple[EpochPlan, ...]:
@@ -247,91 +203,6 @@ def _fit_pass(
     return tuple(result)
 
 
-def unit_rows(epoch: EpochUnits, ids: Sequence[str], survey: Survey) -> list[dict[str, Any]]:
-    """Rows of layer ``units`` in the frame of the cloud; ``ids`` names the units in the table's order."""
-    table = epoch.table
-    fitted = "covariance" in table
-    rows = []
-    for k in range(len(epoch)):
-        pose = epoch.pose(k)
-        unit = survey.units[int(table["type"][k])].type
-        radius, gradient = (float(v) for v in table["shape"][k]) if fitted else (unit.radius, unit.gradient)
-        qx, qy, qz, qw = (float(v) for v in pose.quaternion())
-        row: dict[str, Any] = {
-            "unit_id": ids[k],
-            "epoch": epoch.plan.epoch.label,
-            "epoch_time": epoch.plan.epoch.time,
-            "unit_type": unit.name,
-            "height": unit.height,
-            "r0": radius,
-            "gradient": gradient,
-            "qx": qx,
-            "qy": qy,
-            "qz": qz,
-            "qw": qw,
-            "legs_visible": table["legs_visible"][k],
-            "coverage": table["coverage"][k],
-            "score": table["score"][k],
-            "status": str(table["status"][k]),
-            "geometry": pose.centre,
-        }
-        if fitted and np.isfinite(table["covariance"][k]).all():
-            row |= covariance_fields(table["covariance"][k]) | {"sigma0": table["sigma0"][k], "n_points": table["n_points"][k]}
-        rows.append(row)
-    return rows
-
-
-def covariance_fields(covariance: FloatArray) -> dict[str, Any]:
-    """Fields of ``units`` that follow from the (8, 8) covariance."""
-    variances = np.clip(np.diag(covariance), 0, None)
-    return {
-        "sd_e": math.sqrt(variances[0]),
-        "sd_n": math.sqrt(variances[1]),
-        "sd_h": math.sqrt(variances[2]),
-        "sd_rotation_deg": math.degrees(math.sqrt(variances[3:6].sum())),
-        "covariance": upper_triangle(covariance),
-    }
-
-
-def feature_rows(
-    unit_id: str, epoch: str, time: Any, pose: Pose, unit: UnitType, covariance: FloatArray | None, observed: Sequence[bool | None]
-) -> list[dict[str, Any]]:
-    """Rows of layer ``feature_points`` of one unit."""
-    points = feature_points(pose, unit, covariance)
-    rows = []
-    for k, name in enumerate(FEATURES):
-        row: dict[str, Any] = {
-            "unit_id": unit_id,
-            "epoch": epoch,
-            "epoch_time": time,
-            "feature": name,
-            "observed": observed[k],
-            "geometry": points.positions[k],
-        }
-        if covariance is not None:
-            c = points.covariances[k]
-            sds = np.sqrt(np.clip(np.diag(c), 0, None))
-            row |= {"sd_e": sds[0], "sd_n": sds[1], "sd_h": sds[2], "cov_en": c[0, 1], "cov_eh": c[0, 2], "cov_nh": c[1, 2]}
-        rows.append(row)
-    return rows
-
-
-def epoch_row(
-    plan: EpochPlan, record: RunRecord, transformation: Mapping[str, Any] | None, sigma0: float | None, extra: Mapping[str, Any]
-) -> dict[str, Any]:
-    """Row of layer ``epochs``; no transformation means that the cloud's own frame was kept."""
-    return {
-        "label": plan.epoch.label,
-        "time": plan.epoch.time,
-        "tiles": json.dumps([tile.path.name for tile in plan.tiles]),
-        "points": plan.points,
-        "transformation": None if transformation is None else json.dumps(transformation),
-        "sigma0": sigma0,
-        "software": f"tetratrack {software_version()}",
-        "settings": record.of_epoch(plan.epoch, extra),
-    }
-
-
 def write_result(path: str | Path, survey_crs: str, tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> None:
     """Write a result with the shipped QGIS styles."""
     styles = {style.stem: style.read_text(encoding="utf-8") for style in sorted(STYLES.glob("*.qml"))}
@@ -418,38 +289,19 @@ def register_epochs(survey: Survey, feedback: Feedback) -> dict[str, Registratio
     InputError
         Control or targets cannot be used.
     """
-    from .control import read_control, read_targets, register
+    from .control import grid_scale, read_control, read_targets, register, to_survey_frame
 
     found = {}
     for epoch in survey.epochs:
         if epoch.control is None or epoch.targets is None:
             continue
         feedback.check()
-        found[epoch.label] = register(read_control(epoch.control), read_targets(epoch.targets))
+        surveyed = to_survey_frame(read_control(epoch.control), epoch.control_crs, survey.crs, epoch.control_unit)
+        found[epoch.label] = register(surveyed, read_targets(epoch.targets))
+        if survey.crs != LOCAL:
+            scale = grid_scale(survey.crs, surveyed.coordinates.mean(axis=0))
+            feedback.info(f"{epoch.label}: scale factor grid over ground is {scale:.6f}; ground distances are not applied to coordinates")
     return found
-
-
-def control_rows(epoch: str, registration: Registration) -> list[dict[str, Any]]:
-    """Rows of layer ``control_residuals``."""
-    return [
-        {
-            "point_id": r.point_id,
-            "epoch": epoch,
-            "ve": r.residual[0],
-            "vn": r.residual[1],
-            "vh": r.residual[2],
-            "w_max": r.w_max,
-            "used": r.used,
-            "outlier": r.outlier,
-            "geometry": r.position,
-        }
-        for r in registration.residuals
-    ]
-
-
-def provisional_ids(count: int) -> list[str]:
-    """Names of units in order of easting, where no other epoch says otherwise."""
-    return [f"U{k + 1:04d}" for k in range(count)]
 
 
 def run_inspect(paths: Sequence[Path], output: Path | None, feedback: Feedback) -> dict[str, Any]:
@@ -595,28 +447,6 @@ def _unit_of(row: Mapping[str, Any], source: Path) -> UnitType:
     return UnitType.tetrapod(float(values[0]), radius=float(values[1]), gradient=float(values[2]))  # type: ignore[arg-type]
 
 
-def in_control_frame(epoch: EpochUnits, registration: Registration | None) -> EpochUnits:
-    """Poses and covariances after registration; the registration's own covariance, common to all units, is included."""
-    if registration is None:
-        return epoch
-    transformation = registration.transformation
-    table = dict(epoch.table)
-    poses, covariances, shapes = table["poses"].copy(), table["covariance"].copy(), table["shape"].copy()
-    turn = np.eye(8)
-    turn[:3, :3] = transformation.scale * transformation.rotation
-    turn[3:6, 3:6] = transformation.rotation
-    turn[6, 6] = transformation.scale
-    for k in range(len(epoch)):
-        pose = transformation.apply_pose(epoch.pose(k))
-        poses[k] = np.concatenate([pose.centre, pose.rotation.ravel()])
-        effect = np.zeros((8, 7))
-        effect[:3] = transformation.jacobian(pose.centre[None])[0]
-        effect[3:6, 3:6] = np.eye(3)
-        covariances[k] = turn @ covariances[k] @ turn.T + effect @ transformation.covariance @ effect.T
-    shapes[:, 0] *= transformation.scale
-    return replace(epoch, table=table | {"poses": poses, "covariance": covariances, "shape": shapes})
-
-
 def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
     """All steps: tiles to units, feature points, registration and displacements, in one result.
 
@@ -634,8 +464,10 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
     registrations = register_epochs(survey, feedback)
     with job_runner(output, options, feedback) as runner:
         found = segment_epochs(survey, plans, record, runner, feedback.part(start, start := start + SHARES["segment"]))
-        fitted, _ = fit_epochs(survey, found, runner, feedback.part(start, start := start + SHARES["fit"]))
-        tables: Tables = {name: [] for name in ("units", "feature_points", "control_residuals", "epochs")}
+        fitted, units = fit_epochs(survey, found, runner, feedback.part(start, start := start + SHARES["fit"]))
+        feedback.progress(start, "tracking units")
+        tables, summary = track_tables(survey, fitted, units, registrations, feedback)
+        tables |= {"control_residuals": [], "epochs": []}
         for epoch in fitted:
             label = epoch.plan.epoch.label
             registration = registrations.get(label)
@@ -645,25 +477,125 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
                 tables["control_residuals"] += control_rows(label, registration)
                 for note in registration.notes:
                     feedback.info(f"{label}: {note}")
-            placed = in_control_frame(epoch, registration)
-            ids = provisional_ids(len(placed))
-            tables["units"] += unit_rows(placed, ids, survey)
-            for k, name in enumerate(ids):
-                tables["feature_points"] += _feature_rows_of(placed, k, name, survey)
             tables["epochs"].append(
                 epoch_row(
                     epoch.plan,
                     record,
                     None if registration is None else registration.transformation.as_record(),
                     None if registration is None else registration.sigma0,
-                    {},
+                    summary["epochs"][label],
                 )
             )
         feedback.check()
         feedback.progress(1 - SHARES["write"], "writing")
         write_result(output, survey.crs, tables)
     feedback.progress(1.0, "done")
-    return {"output": str(output), "units": len({row["unit_id"] for row in tables["units"]}), "moved": 0, "check_rmse": None}
+    return {"output": str(output), "units": summary["units"], "moved": summary["moved"], "check_rmse": None}
+
+
+def track_tables(
+    survey: Survey,
+    fitted: Sequence[EpochUnits],
+    units: tuple[UnitType, ...],
+    registrations: Mapping[str, Registration],
+    feedback: Feedback,
+) -> tuple[Tables, dict[str, Any]]:
+    """Rows of all layers that need several epochs, and of units and feature points; counts and settings by epoch for the record."""
+    from .displacement import grades_from
+    from .tracking import track
+    from .tracking_tables import TableOptions, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
+
+    origin = np.round(np.mean([p[:3] for e in fitted for p in e.table["poses"]], axis=0)) if any(len(e) for e in fitted) else np.zeros(3)
+    placed = [_tracked_epoch(e, registrations.get(e.plan.epoch.label), units, origin) for e in fitted]
+    result = track(placed, units, _surroundings(survey, fitted, registrations, origin, feedback))
+    names = unit_names(len(result.units))
+    limits = survey.sections["displacement"]
+    options = TableOptions(tuple(origin.tolist()), limits["significance"], grades_from(limits))
+
+    def from_fit(epoch: int, row: int | None) -> dict[str, Any]:
+        if row is None:
+            return {}
+        table = fitted[epoch].table
+        fields = ("legs_visible", "coverage", "score", "sigma0")
+        return {name: table[name][row] for name in fields} | {"observed": [bool(v) for v in table["observed"][row]]}
+
+    unit_rows_, points = unit_tables(result, placed, units, names, origin, from_fit, feature_rows, covariance_fields)
+    moved, other = displacement_rows(result, placed, units, names, options)
+    tables: Tables = {
+        "units": unit_rows_,
+        "feature_points": points,
+        "displacements": moved,
+        "displacements_other": other,
+        "epoch_pairs": pair_rows(result, placed, origin),
+        "velocities": velocity_rows(result, placed, names, origin),
+    }
+    settings = {
+        e.label: {
+            "displacement": dict(limits),
+            "source_offsets_m": {
+                str(source): [round(float(v), 5) for v in offset]
+                for (epoch, source), offset in sorted(result.joint.offsets.items())
+                if epoch == k
+            },
+        }
+        for k, e in enumerate(placed)
+    }
+    last = {row["unit_id"] for row in moved if row["class"] == "moved"}
+    return tables, {"units": len(names), "moved": len(last), "epochs": settings}
+
+
+def _tracked_epoch(epoch: EpochUnits, registration: Registration | None, units: tuple[UnitType, ...], origin: FloatArray) -> TrackedEpoch:
+    """Units of an epoch with their points in the control frame, less the common reduction point."""
+    from .control import Transformation
+    from .tracking import FittedUnit, TrackedEpoch
+
+    known = None if registration is None else registration.transformation
+    transformation = Transformation.identity(origin) if known is None else known
+    table = epoch.table
+    found: list[FittedUnit | None] = [None] * len(epoch)
+    for row, points, sources in epoch.points():
+        pose = transformation.apply_pose(epoch.pose(row)).shifted(-origin)
+        kind = int(table["type"][row])
+        found[row] = FittedUnit(
+            pose, units[kind], kind, table["status"][row] == "found", table["discs"][row], transformation.apply(points) - origin, sources
+        )
+    return TrackedEpoch(
+        epoch.plan.epoch.label,
+        epoch.plan.epoch.time,
+        tuple(unit for unit in found if unit is not None),
+        None if known is None else replace(known, origin_to=known.origin_to - origin),
+    )
+
+
+def _surroundings(
+    survey: Survey, epochs: Sequence[EpochUnits], registrations: Mapping[str, Registration], origin: FloatArray, feedback: Feedback
+) -> Surroundings:
+    """Reader of an epoch's cloud around places, for :func:`tetratrack.core.tracking.track`."""
+    from scipy.spatial import cKDTree
+
+    from .control import Transformation
+
+    def read(number: int, places: FloatArray, reach: float) -> tuple[FloatArray, NDArray[np.integer[Any]]]:
+        plan = epochs[number].plan
+        registration = registrations.get(plan.epoch.label)
+        transformation = Transformation.identity(origin) if registration is None else registration.transformation
+        where = transformation.invert(places + origin)
+        tree = cKDTree(where - origin)
+        parts: list[FloatArray] = []
+        sources: list[NDArray[np.integer[Any]]] = []
+        for block in plan.blocks:
+            if not block.core.grown(reach).contains(where).any():
+                continue
+            feedback.check()
+            cloud = read_points(block.tiles, survey.crs, window=block.core, origin=origin, tiles_crs=plan.epoch.tiles_crs)
+            near = np.isfinite(tree.query(cloud.xyz, distance_upper_bound=reach)[0])
+            parts.append(transformation.apply(cloud.xyz[near] + origin) - origin)
+            sources.append(cloud.source_id[near])
+        if not parts:
+            return np.empty((0, 3)), np.empty(0, dtype=np.uint16)
+        return np.vstack(parts), np.concatenate(sources)
+
+    return read
 
 
 def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
@@ -696,27 +628,11 @@ def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOption
             ids = provisional_ids(len(epoch))
             tables["units"] += unit_rows(epoch, ids, survey)
             for k, name in enumerate(ids):
-                tables["feature_points"] += _feature_rows_of(epoch, k, name, survey)
+                tables["feature_points"] += fitted_feature_rows(epoch, k, name, survey)
             tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {}))
         feedback.check()
         write_result(output, survey.crs, tables)
     return {"output": str(output), "units": sum(len(e) for e in epochs), "epochs": len(epochs)}
-
-
-def _feature_rows_of(epoch: EpochUnits, row: int, unit_id: str, survey: Survey) -> list[dict[str, Any]]:
-    table = epoch.table
-    covariance = table["covariance"][row]
-    known = bool(np.isfinite(covariance).all())
-    unit = survey.units[int(table["type"][row])].type.with_shape(*table["shape"][row])
-    return feature_rows(
-        unit_id,
-        epoch.plan.epoch.label,
-        epoch.plan.epoch.time,
-        epoch.pose(row),
-        unit,
-        covariance if known else None,
-        [bool(v) for v in table["observed"][row]],
-    )
 
 
 def read_poses(path: Path, survey: Survey) -> dict[str, list[tuple[float, ...]]]:

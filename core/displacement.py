@@ -1,0 +1,236 @@
+"""Displacement of a unit's feature points and its rotation between two epochs, with tests, classes, detection limits and velocities.
+
+Covariances hold the fits of both epochs (calibrated, see :mod:`congruence`) and the part common to all units. A displacement is tested
+against zero as a vector of three components: ``significant`` is that single test at the stated level, while the class of a unit
+needs the Benjamini-Hochberg procedure (1995, J. R. Statist. Soc. B 57), which keeps the share of stable units among
+those called moved below the level however many units there are.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from .congruence import Congruence, NullModel
+from .feature_points import FEATURES, FeaturePoints
+from .planning import noncentrality
+from .pose import Pose
+from .unit_types import UnitType
+
+FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
+
+SIGNIFICANCE = 0.05
+POWER = 0.8
+SECONDS_PER_YEAR = 365.25 * 86400
+
+
+@dataclass(frozen=True)
+class Grade:
+    """A named limit of displacement: ``value`` in metres, in heights H or in nominal diameters Dn."""
+
+    name: str
+    value: float
+    unit: str
+
+    def metres(self, unit_type: UnitType) -> float:
+        """The limit in metres for a type of unit."""
+        return self.value * {"m": 1.0, "H": unit_type.height, "Dn": unit_type.nominal_diameter}[self.unit]
+
+
+GRADE_UNITS = {"watch": "m", "alert": "m", "partly_damaged": "Dn", "damaged": "Dn", "dislocated": "H"}
+"""Names of the grades in survey.toml, section [displacement], and what their limits are counted in."""
+
+
+def grades_from(section: Mapping[str, float]) -> tuple[Grade, ...]:
+    """Grades with the limits of section [displacement] of survey.toml."""
+    return tuple(Grade(name.replace("_", " "), float(section[name]), unit) for name, unit in GRADE_UNITS.items())
+
+
+@dataclass(frozen=True, eq=False)
+class UnitMotion:
+    """A unit's motion in one epoch pair and datum.
+
+    Attributes
+    ----------
+    starts
+        (5, 3) feature points of the earlier epoch in the control frame, less the reduction point.
+    vectors, covariances
+        (5, 3), (5, 3, 3) displacements of the features and their full covariance, registration included.
+    turn, turn_sd
+        Rotation angle and its standard deviation, radians.
+    statistics, p_values
+        (5,) test of each feature's displacement against zero.
+    turn_p_value
+        Test of the rotation against zero.
+    detectable
+        (5,) displacement in metres found with a power of 80 % at the level of the test in the worst direction.
+    """
+
+    starts: FloatArray
+    vectors: FloatArray
+    covariances: FloatArray
+    turn: float
+    turn_sd: float
+    statistics: FloatArray
+    p_values: FloatArray
+    turn_p_value: float
+    detectable: FloatArray
+
+
+def relative_covariance(before: FeaturePoints, after: FeaturePoints, joint: FloatArray) -> FloatArray:
+    """(5, 3, 3) covariance of feature displacements from the (12, 12) covariance of both poses."""
+    rows = np.concatenate([-before.jacobian[:, :, :6], after.jacobian[:, :, :6]], axis=2)
+    return np.asarray(rows @ joint @ np.swapaxes(rows, 1, 2))
+
+
+def turn_vector(before: Pose, after: Pose) -> FloatArray:
+    """(3,) rotation vector from one pose to the other about the frame's axes, radians."""
+    return np.asarray(Rotation.from_matrix(after.rotation @ before.rotation.T).as_rotvec())
+
+
+def turn_covariance(before: Pose, after: Pose, joint: FloatArray) -> FloatArray:
+    """(3, 3) covariance of :func:`turn_vector` from the (12, 12) covariance of both poses, for turns that are not large."""
+    turn = after.rotation @ before.rotation.T
+    rows = np.zeros((3, 12))
+    rows[:, 3:6], rows[:, 9:12] = -turn, np.eye(3)
+    return np.asarray(rows @ joint @ rows.T)
+
+
+def unit_motion(
+    before: FeaturePoints,
+    after: FeaturePoints,
+    turn: FloatArray,
+    joint: FloatArray,
+    turn_cov: FloatArray,
+    congruence: Congruence,
+    turn_null: NullModel,
+    datum: str,
+    supports_datum: bool,
+) -> UnitMotion:
+    """Motion of a unit with its tests.
+
+    Parameters
+    ----------
+    before, after
+        Feature points in the control frame less the reduction point.
+    turn, turn_cov
+        (3,), (3, 3) rotation between the epochs.
+    joint
+        (12, 12) covariance of both poses.
+    congruence, turn_null
+        Datum and calibration of the epoch pair, for positions and rotations.
+    datum
+        ``stable`` or ``control``.
+    supports_datum
+        Whether the unit itself belongs to the stable set; its displacement is then correlated with the datum.
+    """
+    points = before.positions
+    own = congruence.null.covariance(relative_covariance(before, after, joint))
+    common = congruence.common_covariance(points, datum)
+    vectors = after.positions - before.positions
+    angle = np.array(turn)
+    if datum == "stable":
+        vectors = vectors - congruence.common_part(points)
+        angle = angle - congruence.motion[3:6]
+    # of a unit that helped to define the datum the residual varies less, by the same amount
+    tested = own - common if datum == "stable" and supports_datum else own + common
+    statistics = np.einsum("ni,ni->n", vectors, np.linalg.solve(tested, vectors[:, :, None])[:, :, 0])
+    covariances = own + common
+    common_turn = (congruence.motion_covariance if datum == "stable" else congruence.prior)[3:6, 3:6]
+    turn_total = turn_null.covariance(turn_cov) + common_turn
+    size = float(np.linalg.norm(angle))
+    along = angle / size if size > 0 else np.array([0.0, 0.0, 1.0])
+    factor = math.sqrt(noncentrality(SIGNIFICANCE, POWER))
+    return UnitMotion(
+        points,
+        vectors,
+        covariances,
+        size,
+        float(math.sqrt(along @ turn_total @ along)),
+        statistics,
+        congruence.null.p_value(statistics),
+        float(turn_null.p_value(np.array([angle @ np.linalg.solve(turn_total, angle)]))[0]),
+        factor * np.sqrt(np.linalg.eigvalsh(covariances)[:, -1]),
+    )
+
+
+def adjusted_p_values(p_values: Sequence[float]) -> FloatArray:
+    """Benjamini-Hochberg adjusted p-values: the smallest false discovery rate at which each test is called."""
+    p = np.asarray(p_values, dtype=np.float64)
+    order = np.argsort(p)[::-1]
+    scaled = np.minimum.accumulate(p[order] * len(p) / np.arange(len(p), 0, -1)) if len(p) else p
+    adjusted = np.empty_like(p)
+    adjusted[order] = np.minimum(scaled, 1.0)
+    return adjusted
+
+
+def classify(adjusted: float, turn_adjusted: float, certain: bool, relocated: bool, level: float = SIGNIFICANCE) -> str:
+    """Class of a unit in an epoch pair from its adjusted p-values of displacement and rotation."""
+    if relocated:
+        return "relocated"
+    if not certain:
+        return "uncertain"
+    if adjusted <= level:
+        return "moved"
+    return "rotated" if turn_adjusted <= level else "stable"
+
+
+def grade(length: float, significant: bool, unit: UnitType, grades: Sequence[Grade]) -> str:
+    """Grade of a displacement in metres: below the detection limit, significant, or the highest limit it exceeds."""
+    if not significant:
+        return "below detection limit"
+    passed = [(g.metres(unit), g.name) for g in grades if length > g.metres(unit)]
+    return max(passed)[1] if passed else "significant"
+
+
+@dataclass(frozen=True, eq=False)
+class Velocity:
+    """Linear motion of a feature through more than two epochs.
+
+    Attributes
+    ----------
+    vector, sd
+        (3,) metres a year.
+    misfit_p_value
+        Test of the positions against a straight uniform motion.
+    """
+
+    feature: str
+    vector: FloatArray
+    sd: FloatArray
+    misfit_p_value: float
+
+
+def velocity(feature: int, years: FloatArray, positions: FloatArray, covariances: FloatArray, tail: float) -> Velocity:
+    """Weighted straight line through positions.
+
+    Parameters
+    ----------
+    feature
+        Index in ``FEATURES``.
+    years
+        (e,) times of the epochs.
+    positions, covariances
+        (e, 3), (e, 3, 3) in one datum; covariances of the epochs' own errors.
+    tail
+        Degrees of freedom of the calibrated errors.
+    """
+    from scipy.stats import f as f_distribution
+
+    t = years - years.mean()
+    weights = np.linalg.inv(covariances)
+    design = np.array([np.hstack([np.eye(3), k * np.eye(3)]) for k in t])
+    normal = np.einsum("eia,eij,ejb->ab", design, weights, design)
+    cofactor = np.linalg.inv(normal)
+    solution = cofactor @ np.einsum("eia,eij,ej->a", design, weights, positions)
+    residuals = positions - design @ solution
+    degrees = 3 * len(t) - 6
+    form = float(np.einsum("ei,eij,ej->", residuals, weights, residuals))
+    p = float(f_distribution.sf(form / degrees, degrees, tail)) if degrees > 0 else 1.0
+    return Velocity(FEATURES[feature], solution[3:], np.sqrt(np.diag(cofactor)[3:]), p)

@@ -1,0 +1,476 @@
+"""Units through all epochs: identity, joint adjustment, datum, displacements. Arrays in, frozen results out; no files.
+
+Everything here is in the control frame less one reduction point.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from .congruence import Congruence, NullModel, calibrate, test_congruence
+from .control import Transformation, rigid_jacobian
+from .displacement import (
+    SECONDS_PER_YEAR,
+    UnitMotion,
+    Velocity,
+    adjusted_p_values,
+    classify,
+    relative_covariance,
+    turn_covariance,
+    turn_vector,
+    unit_motion,
+    velocity,
+)
+from .feature_points import FEATURES, FeaturePoints, feature_points
+from .identity import FoundUnits, Track, identify, relocations
+from .pose import Pose
+from .presence import look_up
+from .strip_offsets import JointAdjustment, UnitSighting, adjust_jointly
+from .unit_types import UnitType
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+DATUMS = ("stable", "control")
+MIN_RECOVERED_POINTS = 60
+
+
+@dataclass(frozen=True, eq=False)
+class FittedUnit:
+    """A unit found and adjusted in one epoch, in the control frame less the reduction point.
+
+    Attributes
+    ----------
+    pose, shape, kind
+        Adjusted pose; geometry; index of the type of unit.
+    certain
+        False for weak evidence.
+    discs
+        (4,) legs whose end disc was used.
+    points, sources
+        (n, 3), (n,) its points and their strips or stations.
+    """
+
+    pose: Pose
+    shape: UnitType
+    kind: int
+    certain: bool
+    discs: NDArray[np.bool_]
+    points: FloatArray
+    sources: NDArray[np.integer]
+
+
+@dataclass(frozen=True, eq=False)
+class TrackedEpoch:
+    """One epoch to be tracked.
+
+    Attributes
+    ----------
+    label, time
+        As in survey.toml.
+    units
+        Found units.
+    registration
+        Transformation to control, its reduction point ``origin_to`` already less the common one; None without control.
+    """
+
+    label: str
+    time: datetime
+    units: tuple[FittedUnit, ...]
+    registration: Transformation | None
+
+
+@dataclass(frozen=True, eq=False)
+class TrackedUnit:
+    """A physical unit in one epoch.
+
+    Attributes
+    ----------
+    row
+        Its row in the epoch's units; None where it was recovered at the place another epoch predicts, or is not seen.
+    pose, covariance
+        Pose of the joint adjustment with the unit's own leg numbers, and (6, 6) covariance without registration; None without pose.
+    scale
+        Size over the nominal one, estimated from all epochs.
+    status
+        ``found``, ``uncertain``, ``new``, ``relocated``, ``lost`` or ``unseen``.
+    points
+        Points used.
+    ambiguous
+        The motion since the last sighting leaves the leg numbers open.
+    """
+
+    row: int | None
+    pose: Pose | None
+    covariance: FloatArray | None
+    scale: float
+    status: str
+    points: int
+    ambiguous: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class PairMotion:
+    """A unit's motion in one pair and both datums."""
+
+    unit: int
+    motions: dict[str, UnitMotion]
+    classes: dict[str, str]
+    adjusted: dict[str, float]
+
+
+@dataclass(frozen=True, eq=False)
+class EpochPair:
+    """Two epochs, earlier first, with their datum and all motions."""
+
+    first: int
+    second: int
+    congruence: Congruence
+    turn_null: NullModel
+    units: tuple[PairMotion, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Tracking:
+    """Result of :func:`track`.
+
+    Attributes
+    ----------
+    kinds
+        Type of unit by physical unit.
+    units
+        By physical unit: epoch index to its state.
+    pairs
+        All pairs of epochs.
+    joint
+        Joint adjustment with offsets of strips and stations.
+    velocities
+        Physical unit to velocities by feature, for units seen in more than two epochs.
+    shifts
+        (e, 3) common shift between the clouds that identity removed, metres.
+    """
+
+    kinds: tuple[int, ...]
+    units: tuple[dict[int, TrackedUnit], ...]
+    pairs: tuple[EpochPair, ...]
+    joint: JointAdjustment
+    velocities: dict[int, tuple[Velocity, ...]]
+    shifts: FloatArray
+
+
+Surroundings = Callable[[int, FloatArray, float], tuple[FloatArray, NDArray[np.integer]]]
+"""Points and sources of an epoch (index) within a distance of (k, 3) places, control frame less the reduction point."""
+
+
+def track(epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], surroundings: Surroundings | None = None) -> Tracking:
+    """Follow all units through all epochs.
+
+    Parameters
+    ----------
+    epochs
+        In order of time.
+    units
+        Types of unit.
+    surroundings
+        Reads an epoch's cloud around places, to recover units that another epoch predicts and to tell lost from unseen; without
+        it units that are not found are ``unseen``.
+    """
+    found = [
+        FoundUnits(
+            tuple(u.pose for u in e.units),
+            np.array([u.kind for u in e.units], dtype=np.int64),
+            np.array([u.certain for u in e.units], dtype=bool),
+        )
+        for e in epochs
+    ]
+    identities = identify(found, units)
+    tracks = list(identities.tracks)
+    seen: list[dict[int, FittedUnit]] = [{e: _sighted(epochs[e].units[row], t.symmetries[e]) for e, row in t.rows.items()} for t in tracks]
+    states, recovered = _look_for_missing(epochs, tracks, seen, units, identities.shifts, surroundings)
+    for unit, epoch, sighting in recovered:
+        seen[unit][epoch] = sighting
+    tracks, seen, states = _join_relocated(tracks, seen, states, units, len(epochs))
+    joint, numbers = _adjust(seen)
+    tracked = [_states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs)) for k in range(len(tracks))]
+    pairs = tuple(_compare(a, b, epochs, units, tracks, tracked, joint, numbers) for a, b in combinations(range(len(epochs)), 2))
+    velocities = _velocities(epochs, units, tracks, tracked, pairs) if len(epochs) > 2 else {}
+    return Tracking(tuple(t.kind for t in tracks), tuple(tracked), pairs, joint, velocities, identities.shifts)
+
+
+def _sighted(unit: FittedUnit, symmetry: FloatArray) -> FittedUnit:
+    """The unit with the leg numbers of its track."""
+    new_to_old = np.argmax(unit.shape.leg_directions @ (unit.shape.leg_directions @ symmetry.T).T, axis=0)
+    return replace(unit, pose=unit.pose.relabelled(symmetry), discs=unit.discs[new_to_old])
+
+
+def _look_for_missing(
+    epochs: Sequence[TrackedEpoch],
+    tracks: Sequence[Track],
+    seen: Sequence[dict[int, FittedUnit]],
+    units: Sequence[UnitType],
+    shifts: FloatArray,
+    surroundings: Surroundings | None,
+) -> tuple[list[dict[int, str]], list[tuple[int, int, FittedUnit]]]:
+    """State of every unit in the epochs that do not show it, and units recovered where another epoch predicts them."""
+    states: list[dict[int, str]] = [{} for _ in tracks]
+    recovered: list[tuple[int, int, FittedUnit]] = []
+    wanted: dict[int, list[tuple[int, int]]] = {}
+    for unit, sightings in enumerate(seen):
+        certain = [e for e, s in sightings.items() if s.certain]
+        for epoch in range(len(epochs)):
+            if epoch not in sightings and certain:
+                reference = min(certain, key=lambda e: (abs(e - epoch), e))
+                wanted.setdefault(epoch, []).append((unit, reference))
+                states[unit][epoch] = "hidden"
+    if surroundings is None:
+        return states, recovered
+    reach = max(float(np.hypot(u.leg_length, u.end_radius)) for u in units) * 1.3
+    clouds: dict[int, tuple[FloatArray, NDArray[np.integer], cKDTree]] = {}
+
+    def cloud(epoch: int, places: FloatArray) -> tuple[FloatArray, NDArray[np.integer], cKDTree]:
+        if epoch not in clouds:
+            points, sources = surroundings(epoch, places, reach)
+            clouds[epoch] = points, sources, cKDTree(points)
+        return clouds[epoch]
+
+    needed: dict[int, list[FloatArray]] = {}
+    for epoch, items in wanted.items():
+        for unit, reference in items:
+            centre = seen[unit][reference].pose.centre
+            needed.setdefault(epoch, []).append(centre + shifts[epoch] - shifts[reference])
+            needed.setdefault(reference, []).append(centre)
+    for epoch, items in sorted(wanted.items()):
+        points, sources, tree = cloud(epoch, np.array(needed[epoch]))
+        taken = [u.points for u in epochs[epoch].units if u.certain]
+        owned = cKDTree(np.vstack(taken)) if taken else None
+        for unit, reference in items:
+            known = seen[unit][reference]
+            move = shifts[epoch] - shifts[reference]
+            pose = known.pose.shifted(move)
+            now = np.array(tree.query_ball_point(pose.centre, reach), dtype=np.int64)
+            other, _, other_tree = cloud(reference, np.array(needed[reference]))
+            before = other[other_tree.query_ball_point(known.pose.centre, reach)] + move
+            tolerance = 0.025 * known.shape.height
+            presence = look_up(known.points + move, pose, known.shape, before, points[now], tolerance)
+            states[unit][epoch] = presence.state
+            if presence.state != "there":
+                continue
+            index = now[presence.points]
+            if owned is not None and len(index):
+                index = index[owned.query(points[index])[0] > 1e-4]
+            if len(index) < MIN_RECOVERED_POINTS:
+                states[unit][epoch] = "hidden"
+                continue
+            sighting = replace(known, pose=pose, points=points[index], sources=sources[index])
+            recovered.append((unit, epoch, sighting))
+    return states, recovered
+
+
+def _join_relocated(
+    tracks: list[Track], seen: list[dict[int, FittedUnit]], states: list[dict[int, str]], units: Sequence[UnitType], epochs: int
+) -> tuple[list[Track], list[dict[int, FittedUnit]], list[dict[int, str]]]:
+    """Join a lost unit with a new one that it was carried to."""
+    height = max(unit.height for unit in units)
+    gone: set[int] = set()
+    for epoch in range(1, epochs):
+        lost = [k for k in range(len(tracks)) if states[k].get(epoch) == "empty" and epoch - 1 in seen[k]]
+        new = [k for k in range(len(tracks)) if seen[k] and min(seen[k]) == epoch and states[k].get(epoch - 1) == "empty"]
+        pairs = relocations(
+            [seen[k][epoch - 1].pose for k in lost], [seen[k][epoch].pose for k in new],
+            [tracks[k].kind for k in lost], [tracks[k].kind for k in new], height,
+        )  # fmt: skip
+        for i, j in pairs:
+            old, arrived = lost[i], new[j]
+            t, u = tracks[old], tracks[arrived]
+            later = {e for e in seen[arrived] if e >= epoch}
+            tracks[old] = Track(
+                t.rows | {e: u.rows[e] for e in later if e in u.rows},
+                t.symmetries | u.symmetries,
+                t.ambiguous | u.ambiguous | {epoch},
+                t.kind,
+                t.relocated | {epoch},
+            )
+            seen[old] |= {e: seen[arrived][e] for e in later}
+            states[old] = {e: s for e, s in states[old].items() if e < epoch} | {e: s for e, s in states[arrived].items() if e > epoch}
+            gone.add(arrived)
+    keep = [k for k in range(len(tracks)) if k not in gone]
+    return [tracks[k] for k in keep], [seen[k] for k in keep], [states[k] for k in keep]
+
+
+def _adjust(seen: Sequence[dict[int, FittedUnit]]) -> tuple[JointAdjustment, dict[tuple[int, int], int]]:
+    """Joint adjustment of all sightings; their numbers by unit and epoch."""
+    sightings: list[UnitSighting] = []
+    numbers: dict[tuple[int, int], int] = {}
+    for unit, own in enumerate(seen):
+        for epoch in sorted(own):
+            s = own[epoch]
+            numbers[unit, epoch] = len(sightings)
+            sightings.append(UnitSighting(unit, epoch, s.pose, s.points, s.sources, s.discs, s.shape))
+    return adjust_jointly(sightings), numbers
+
+
+def _states_of(
+    unit: int,
+    track: Track,
+    seen: dict[int, FittedUnit],
+    states: dict[int, str],
+    joint: JointAdjustment,
+    numbers: dict[tuple[int, int], int],
+    epochs: int,
+) -> dict[int, TrackedUnit]:
+    tracked = {}
+    first = min(seen)
+    confirmed = any(s.certain for s in seen.values())
+    for epoch in range(epochs):
+        if epoch in seen:
+            number = numbers[unit, epoch]
+            place = joint.order[unit].index(number)
+            block = slice(6 * place, 6 * place + 6)
+            status = "found" if confirmed else "uncertain"
+            if epoch in track.relocated:
+                status = "relocated"
+            elif confirmed and epoch == first > 0 and states.get(epoch - 1) == "empty":
+                status = "new"
+            tracked[epoch] = TrackedUnit(
+                track.rows.get(epoch), joint.poses[number], joint.covariances[unit][block, block], 1 + joint.scales[unit], status,
+                int(joint.used[number]), epoch in track.ambiguous,
+            )  # fmt: skip
+        elif epoch > first and epoch in states:
+            status = "lost" if states[epoch] == "empty" else "unseen"
+            tracked[epoch] = TrackedUnit(None, None, None, 1 + joint.scales[unit], status, 0)
+    return tracked
+
+
+def _compare(
+    first: int,
+    second: int,
+    epochs: Sequence[TrackedEpoch],
+    units: Sequence[UnitType],
+    tracks: Sequence[Track],
+    tracked: Sequence[dict[int, TrackedUnit]],
+    joint: JointAdjustment,
+    numbers: dict[tuple[int, int], int],
+) -> EpochPair:
+    members, befores, afters, joints, turns, turn_covs = [], [], [], [], [], []
+    for k, states in enumerate(tracked):
+        a, b = states.get(first), states.get(second)
+        if a is None or b is None or a.pose is None or b.pose is None:
+            continue
+        both = _joint_block(joint, k, numbers[k, first], numbers[k, second])
+        shape = unit_shape(units[tracks[k].kind], a.scale)
+        members.append(k)
+        befores.append(feature_points(a.pose, shape))
+        afters.append(feature_points(b.pose, shape))
+        joints.append(both)
+        turns.append(turn_vector(a.pose, b.pose))
+        turn_covs.append(turn_covariance(a.pose, b.pose, both))
+    certain = np.array([tracked[k][first].status != "uncertain" for k in members], dtype=bool)
+    carried = np.array([any(first < e <= second for e in tracks[k].relocated) for k in members], dtype=bool)
+    judged = np.flatnonzero(certain & ~carried)
+    height = max(unit.height for unit in units)
+    centres = np.array([f.positions[0] for f in befores]).reshape(-1, 3)
+    vectors = np.array([b.positions[0] - a.positions[0] for a, b in zip(befores, afters, strict=True)]).reshape(-1, 3)
+    own = np.array([relative_covariance(a, b, c)[0] for a, b, c in zip(befores, afters, joints, strict=True)]).reshape(-1, 3, 3)
+    origin = centres[judged].mean(axis=0) if len(judged) else np.zeros(3)
+    prior = _common_prior(epochs[first].registration, epochs[second].registration, origin)
+    congruence = test_congruence(vectors[judged], own[judged], centres[judged], prior, origin, height)
+    turn = np.array(turns).reshape(-1, 3)
+    turn_cov = np.array(turn_covs).reshape(-1, 3, 3)
+    turn_null = calibrate(turn[judged] - congruence.motion[3:6], turn_cov[judged], 1.0)
+    supports = dict(zip(judged.tolist(), congruence.stable.tolist(), strict=True))
+    motions = [
+        {
+            datum: unit_motion(befores[i], afters[i], turn[i], joints[i], turn_cov[i], congruence, turn_null, datum, supports.get(i, False))
+            for datum in DATUMS
+        }
+        for i in range(len(members))
+    ]
+    results = []
+    adjusted = {datum: np.ones(len(members)) for datum in DATUMS}
+    turn_adjusted = {datum: np.ones(len(members)) for datum in DATUMS}
+    for datum in DATUMS:
+        adjusted[datum][judged] = adjusted_p_values([motions[i][datum].p_values[0] for i in judged])
+        turn_adjusted[datum][judged] = adjusted_p_values([motions[i][datum].turn_p_value for i in judged])
+    for i, k in enumerate(members):
+        classes = {
+            datum: classify(float(adjusted[datum][i]), float(turn_adjusted[datum][i]), bool(certain[i]), bool(carried[i]))
+            for datum in DATUMS
+        }
+        results.append(PairMotion(k, motions[i], classes, {datum: float(adjusted[datum][i]) for datum in DATUMS}))
+    return EpochPair(first, second, congruence, turn_null, tuple(results))
+
+
+def _joint_block(joint: JointAdjustment, unit: int, first: int, second: int) -> FloatArray:
+    """(12, 12) covariance of the poses of two sightings of a unit."""
+    order = joint.order[unit]
+    index = np.concatenate([6 * order.index(n) + np.arange(6) for n in (first, second)])
+    return np.asarray(joint.covariances[unit][np.ix_(index, index)])
+
+
+def unit_shape(unit: UnitType, scale: float) -> UnitType:
+    """Geometry of a unit whose size differs from the nominal one."""
+    return replace(unit, radius=unit.radius * scale, leg_length=unit.leg_length * scale)
+
+
+def _common_prior(first: Transformation | None, second: Transformation | None, origin: FloatArray) -> FloatArray | None:
+    """(7, 7) covariance of the motion common to all units between two registered epochs, about ``origin``."""
+    if first is None or second is None:
+        return None
+    total = np.zeros((7, 7))
+    for transformation in (first, second):
+        carry = np.eye(7)
+        carry[:3] = rigid_jacobian((origin - transformation.origin_to)[None])[0]
+        total += carry @ transformation.covariance @ carry.T
+    return total
+
+
+def _velocities(
+    epochs: Sequence[TrackedEpoch],
+    units: Sequence[UnitType],
+    tracks: Sequence[Track],
+    tracked: Sequence[dict[int, TrackedUnit]],
+    pairs: Sequence[EpochPair],
+) -> dict[int, tuple[Velocity, ...]]:
+    """Velocities of units seen in more than two epochs, each epoch brought into the first one's datum ``stable``."""
+    years = np.array([e.time.timestamp() for e in epochs]) / SECONDS_PER_YEAR
+    to_first = {pair.second: pair for pair in pairs if pair.first == 0}
+    result = {}
+    for k, states in enumerate(tracked):
+        have = [e for e, s in sorted(states.items()) if s.pose is not None and s.status != "uncertain"]
+        have = [e for e in have if e == 0 or e in to_first]
+        if len(have) < 3 or tracks[k].relocated:
+            continue
+        points = [_placed(states[e], units[tracks[k].kind], to_first.get(e)) for e in have]
+        result[k] = tuple(
+            velocity(
+                f, years[have], np.array([p.positions[f] for p in points]), np.array([p.covariances[f] for p in points]),
+                min((to_first[e].congruence.null.tail for e in have if e), default=math.inf),
+            )
+            for f in range(len(FEATURES))
+        )  # fmt: skip
+    return result
+
+
+def _placed(state: TrackedUnit, unit: UnitType, pair: EpochPair | None) -> FeaturePoints:
+    """Feature points in the first epoch's datum with the calibrated covariance of one epoch."""
+    covariance = np.zeros((8, 8))
+    if state.pose is None or state.covariance is None:
+        raise ValueError("a unit without pose has no feature points")
+    covariance[:6, :6] = state.covariance
+    points = feature_points(state.pose, unit_shape(unit, state.scale), covariance)
+    if pair is None:
+        floor = np.eye(3) * 1e-12
+        return replace(points, covariances=points.covariances + floor)
+    null = pair.congruence.null
+    # the floor belongs to a difference of two epochs: half of it to each
+    covariances = null.factor**2 * points.covariances + 0.5 * null.floor**2 * np.eye(3)
+    covariances = covariances + pair.congruence.common_covariance(points.positions, "stable")
+    return replace(points, positions=points.positions - pair.congruence.common_part(points.positions), covariances=covariances)

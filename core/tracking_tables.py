@@ -1,0 +1,243 @@
+"""From the result of tracking to rows of the layers: units, feature points, displacements, epoch pairs and velocities."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .control import Transformation
+from .displacement import Grade, UnitMotion, grade
+from .feature_points import FEATURES
+from .pose import Pose
+from .tracking import DATUMS, EpochPair, TrackedEpoch, TrackedUnit, Tracking, unit_shape
+from .unit_types import UnitType
+
+FloatArray = NDArray[np.float64]
+Row = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class TableOptions:
+    """What the rows are made with.
+
+    Attributes
+    ----------
+    origin
+        (3,) reduction point of the tracking.
+    significance
+        Level of ``significant``.
+    grades
+        Limits of displacement.
+    """
+
+    origin: tuple[float, float, float]
+    significance: float
+    grades: tuple[Grade, ...]
+
+
+def unit_names(count: int) -> list[str]:
+    """Names of physical units in the order of the tracking."""
+    return [f"U{k + 1:04d}" for k in range(count)]
+
+
+def pose_covariance(tracking: Tracking, epoch: int, state: TrackedUnit, registration: Transformation | None) -> FloatArray:
+    """(8, 8) covariance of a pose in the control frame: calibrated joint adjustment and registration; shape held."""
+    if state.covariance is None or state.pose is None:
+        raise ValueError("a unit without pose has no covariance")
+    nulls = [(p.congruence.null, p.turn_null) for p in tracking.pairs if epoch in (p.first, p.second)]
+    own = state.covariance.copy()
+    if nulls:
+        # the floor of a difference belongs half to each of its epochs
+        factors = np.repeat([np.median([n.factor for n, _ in nulls]), np.median([t.factor for _, t in nulls])], 3)
+        floors = np.repeat([np.median([n.floor for n, _ in nulls]), np.median([t.floor for _, t in nulls])], 3)
+        own = own * np.outer(factors, factors) + np.diag(0.5 * floors**2)
+    covariance = np.zeros((8, 8))
+    covariance[:6, :6] = own
+    if registration is not None:
+        effect = np.zeros((8, 7))
+        effect[:3] = registration.jacobian(state.pose.centre[None])[0]
+        effect[3:6, 3:6] = np.eye(3)
+        covariance += effect @ registration.covariance @ effect.T
+    return covariance
+
+
+def displacement_rows(
+    tracking: Tracking, epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], names: Sequence[str], options: TableOptions
+) -> tuple[list[Row], list[Row]]:
+    """Rows of ``displacements`` (consecutive epochs, datum ``stable``) and of ``displacements_other``."""
+    main: list[Row] = []
+    other: list[Row] = []
+    for pair in tracking.pairs:
+        for motion in pair.units:
+            unit = units[tracking.kinds[motion.unit]]
+            for datum in DATUMS:
+                rows = _motion_rows(
+                    names[motion.unit], pair, epochs, motion.motions[datum], motion.classes[datum], motion.adjusted[datum], datum, unit, options
+                )
+                (main if datum == "stable" and pair.second == pair.first + 1 else other).extend(rows)
+    return main, other
+
+
+def _motion_rows(
+    name: str,
+    pair: EpochPair,
+    epochs: Sequence[TrackedEpoch],
+    motion: UnitMotion,
+    kind: str,
+    adjusted: float,
+    datum: str,
+    unit: UnitType,
+    options: TableOptions,
+) -> list[Row]:
+    rows = []
+    for k, feature in enumerate(FEATURES):
+        vector = motion.vectors[k]
+        sds = np.sqrt(np.diag(motion.covariances[k]))
+        length = float(np.linalg.norm(vector))
+        start = motion.starts[k] + options.origin
+        significant = bool(motion.p_values[k] < options.significance)
+        rows.append(
+            {
+                "unit_id": name,
+                "feature": feature,
+                "epoch_from": epochs[pair.first].label,
+                "epoch_to": epochs[pair.second].label,
+                "time_from": epochs[pair.first].time,
+                "time_to": epochs[pair.second].time,
+                "de": vector[0],
+                "dn": vector[1],
+                "dh": vector[2],
+                "d_horizontal": math.hypot(vector[0], vector[1]),
+                "d_3d": length,
+                "azimuth_deg": math.degrees(math.atan2(vector[0], vector[1])) % 360,
+                "sd_e": sds[0],
+                "sd_n": sds[1],
+                "sd_h": sds[2],
+                "rotation_deg": math.degrees(motion.turn),
+                "sd_rotation_deg": math.degrees(motion.turn_sd),
+                "datum": datum,
+                "statistic": motion.statistics[k],
+                "p_value": motion.p_values[k],
+                "significant": significant,
+                "class": kind,
+                "p_adjusted": adjusted,
+                "detectable": motion.detectable[k],
+                "d_over_h": length / unit.height,
+                "d_over_dn": length / unit.nominal_diameter,
+                "grade": grade(length, significant, unit, options.grades),
+                "geometry": [start, start + vector],
+            }
+        )
+    return rows
+
+
+def pair_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], origin: Sequence[float]) -> list[Row]:
+    """Rows of ``epoch_pairs``: congruence tests, datum and calibration."""
+    rows = []
+    for pair in tracking.pairs:
+        test = pair.congruence
+        rows.append(
+            {
+                "epoch_from": epochs[pair.first].label,
+                "epoch_to": epochs[pair.second].label,
+                "units": len(test.stable),
+                "stable_units": int(test.stable.sum()),
+                "global_statistic": test.global_statistic,
+                "global_degrees": test.global_degrees,
+                "global_p_value": test.global_p_value,
+                "common_e": test.motion[0],
+                "common_n": test.motion[1],
+                "common_h": test.motion[2],
+                "common_rotation_deg": math.degrees(float(np.linalg.norm(test.motion[3:6]))),
+                "common_p_value": test.common_p_value,
+                "covariance_factor": test.null.factor,
+                "covariance_floor": test.null.floor,
+                "tail_degrees": test.null.tail,
+                "geometry": np.asarray(test.origin) + origin,
+            }
+        )
+    return rows
+
+
+def velocity_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], names: Sequence[str], origin: Sequence[float]) -> list[Row]:
+    """Rows of ``velocities``."""
+    rows = []
+    for unit, velocities in sorted(tracking.velocities.items()):
+        have = [e for e, s in sorted(tracking.units[unit].items()) if s.pose is not None]
+        pose = tracking.units[unit][have[-1]].pose
+        for v in velocities:
+            rows.append(
+                {
+                    "unit_id": names[unit],
+                    "feature": v.feature,
+                    "epoch_from": epochs[have[0]].label,
+                    "epoch_to": epochs[have[-1]].label,
+                    "epochs": len(have),
+                    "ve": v.vector[0],
+                    "vn": v.vector[1],
+                    "vh": v.vector[2],
+                    "sd_e": v.sd[0],
+                    "sd_n": v.sd[1],
+                    "sd_h": v.sd[2],
+                    "misfit_p_value": v.misfit_p_value,
+                    "geometry": None if pose is None else pose.centre + origin,
+                }
+            )
+    return rows
+
+
+def unit_tables(
+    tracking: Tracking,
+    epochs: Sequence[TrackedEpoch],
+    units: Sequence[UnitType],
+    names: Sequence[str],
+    origin: Sequence[float],
+    from_fit: Callable[[int, int | None], Mapping[str, Any]],
+    feature_rows: Callable[[str, str, Any, Pose, UnitType, FloatArray | None, Sequence[bool | None]], list[Row]],
+    covariance_fields: Callable[[FloatArray], Row],
+) -> tuple[list[Row], list[Row]]:
+    """Rows of ``units`` and ``feature_points``.
+
+    Parameters
+    ----------
+    from_fit
+        Fields of an epoch's fitted unit that tracking does not change, with ``observed`` (5,); for row None those of a recovered unit.
+    feature_rows, covariance_fields
+        Makers of rows shared with the step ``fit``.
+    """
+    unit_rows: list[Row] = []
+    points: list[Row] = []
+    for k, states in enumerate(tracking.units):
+        unit = units[tracking.kinds[k]]
+        for epoch, state in sorted(states.items()):
+            base: Row = {
+                "unit_id": names[k],
+                "epoch": epochs[epoch].label,
+                "epoch_time": epochs[epoch].time,
+                "unit_type": unit.name,
+                "height": unit.height,
+                "status": state.status,
+            }
+            if state.pose is None:
+                unit_rows.append(base | {"geometry": None})
+                continue
+            shape = unit_shape(unit, state.scale)
+            fit = dict(from_fit(epoch, state.row))
+            observed = fit.pop("observed", [None] * len(FEATURES))
+            covariance = pose_covariance(tracking, epoch, state, epochs[epoch].registration)
+            pose = state.pose.shifted(origin)
+            qx, qy, qz, qw = pose.quaternion()
+            unit_rows.append(
+                base
+                | {"r0": shape.radius, "gradient": shape.gradient, "qx": qx, "qy": qy, "qz": qz, "qw": qw, "n_points": state.points}
+                | fit
+                | covariance_fields(covariance)
+                | {"geometry": pose.centre}
+            )
+            points += feature_rows(names[k], epochs[epoch].label, epochs[epoch].time, pose, shape, covariance, observed)
+    return unit_rows, points
