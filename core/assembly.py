@@ -100,7 +100,7 @@ def evidence(
     """What the points say about each pose: (k, 7) with columns SUPPORT, CLOSE, INSIDE, CELLS, LEGS, RMS, REACHED.
 
     SUPPORT counts active points on the surface whose normal agrees, CLOSE all active points on the surface, INSIDE points
-    (active or not) deep within the solid, CELLS the surface cells (of 132) holding support, LEGS legs with at least two such cells,
+    (active or not) deep within the solid but for the outer part of one leg, which may be broken off, CELLS the surface cells (of 132) holding support, LEGS legs with at least two such cells,
     RMS the misfit of the support in metres, REACHED the active points near the unit.
     """
     shape = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance)
@@ -330,6 +330,8 @@ def _evidence_of_one(
     if hi[2] < lo[2]:
         return
     cells = np.zeros(132, dtype=np.int64)
+    outer = 0.6 * length
+    outer_inside = np.zeros(4)
     squares = 0.0
     for gi in range(lo[0], hi[0] + 1):
         for gj in range(lo[1], hi[1] + 1):
@@ -346,7 +348,10 @@ def _evidence_of_one(
                 z = d0 * pose[5] + d1 * pose[8] + d2 * pose[11]
                 leg, dist, part, axial, rho = _relate(x, y, z, legs, radius, gradient, length)
                 if dist < -max(3.0 * tolerance, 0.03 * height):
-                    out[2] += 1
+                    if axial > outer:
+                        outer_inside[leg] += 1
+                    else:
+                        out[2] += 1
                     continue
                 if not active[q]:
                     continue
@@ -376,6 +381,8 @@ def _evidence_of_one(
                     azimuth = int((np.arctan2(across2, across1) + np.pi) / (2.0 * np.pi) * 7.99999)
                     ring = int(max(0.0, min(0.99999, (axial - low) / (length - low))) * 4.0)
                     cells[33 * leg + 4 * azimuth + ring] += 1
+    # one broken leg end lets the sensor see into the nominal solid: the worst leg's outer part is forgiven
+    out[2] += outer_inside.sum() - outer_inside.max()
     for k in range(4):
         own = 0
         for c in range(33):

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from .aggregation import assign
 from .assembly import (
@@ -28,17 +29,21 @@ from .neighbourhood import Grid, build_grid
 from .pose import Pose
 from .surface_elements import SurfaceElements, surface_elements
 from .unit_types import UnitType
-from .verification import overlap, select
+from .verification import overlap, select, worth
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 Status = Literal["found", "uncertain"]
 
 PASSES = 4
-FOUND_SCORE = 0.5
+FOUND_SCORE = 0.65
 """Units of at least this score are stated as found; the others are kept as uncertain."""
-MOST_INTERPENETRATION = 0.01
-"""Share of a unit's volume that two solid units may seem to share, for the uncertainty of their poses."""
+SCORE_WEIGHTS = (2.49, 2.85, -0.72, -1.31, -1.47, 0.65)
+SCORE_INTERCEPT = -7.58
+WORTH_ANOTHER_PASS = 0.3
+"""Score a pass must reach with at least one unit for the remaining points to be searched again."""
+RIVAL_MARGIN = 0.08
+"""Share of its worth by which a pose must beat every different pose about one of its legs to count as unambiguous."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,6 +123,7 @@ def segment(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int =
     tolerance = max(2.5 * elements.element_noise, 0.008 * height)
     active = np.ones(len(elements.points), dtype=np.bool_)
     poses = np.zeros((0, 12))
+    typical = 0.0
     for turn in range(PASSES):
         legs = find_legs(elements, active, grid, unit, tolerance, seed + turn)
         candidates = poses_from_pairs(legs, unit)
@@ -129,9 +135,9 @@ def segment(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int =
         poses = np.vstack([poses, chosen.poses])
         if turn == 0 and len(chosen.poses) >= 3:
             # the strongest units tell the misfit of real surfaces, which roughness and strip offsets make larger than the noise
-            typical = float(np.median(chosen.evidence[: max(3, len(chosen.poses) // 2), RMS]))
-            tolerance = float(np.clip(2.5 * typical, tolerance, 1.3 * tolerance))
-        if turn > 0 and not len(chosen.poses):
+            tolerance = float(np.clip(2.5 * _typical_misfit(chosen.evidence), tolerance, 1.3 * tolerance))
+        typical = _typical_misfit(chosen.evidence) if turn == 0 else typical
+        if turn > 0 and not any(score(row, tolerance, typical) > WORTH_ANOTHER_PASS for row in chosen.evidence):
             break
     return _finish(points, elements, poses, unit, tolerance, grid)
 
@@ -146,13 +152,18 @@ def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, un
             own = (owner == k) | (owner < 0)
             poses[k] = refine(poses[k : k + 1], elements.points, elements.normals, own, grid, unit, tolerance, most=1500, sweeps=20)[0]
             table[k] = evidence(poses[k : k + 1], elements.points, elements.normals, sign, own, grid, unit, tolerance)[0]
+    certainty = np.ones(len(poses))
+    for k in np.flatnonzero(table[:, LEGS] <= 2):
+        own = (owner == k) | (owner < 0)
+        rival = _best_rival(poses[k], elements, own, grid, unit, tolerance)
+        certainty[k] = np.clip((1 - rival / max(worth(table[k]), 1e-9)) / RIVAL_MARGIN, 0, 1)
     shared = np.zeros(len(poses))
     for k in range(len(poses)):
         for j in range(len(poses)):
             if j != k and np.sum((poses[j, :3] - poses[k, :3]) ** 2) < (1.29 * unit.height) ** 2:
                 shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
     typical = _typical_misfit(table)
-    scores = np.array([score(row, tolerance, typical) for row in table])
+    scores = certainty * np.array([score(row, tolerance, typical) for row in table])
     units = []
     for k, row in enumerate(table):
         units.append(
@@ -166,6 +177,29 @@ def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, un
     return Segmentation(tuple(units), labels, elements.spacing, elements.noise, tolerance)
 
 
+def _best_rival(pose: FloatArray, elements: SurfaceElements, own: NDArray[np.bool_], grid: Grid, unit: UnitType, tolerance: float) -> float:
+    """Worth of the best clearly different pose that shares one leg with this one.
+
+    With one leg seen the twist about its axis is undetermined (METHOD 3): then another twist explains the points as well.
+    """
+    rotation = pose[3:].reshape(3, 3)
+    twists = [
+        Rotation.from_rotvec(np.radians(angle) * rotation @ axis).as_matrix() @ rotation
+        for axis in unit.leg_directions
+        for angle in (24, 48, 72, 96)
+    ]
+    rivals = np.column_stack([np.tile(pose[:3], (len(twists), 1)), np.reshape(twists, (-1, 9))])
+    rivals = refine(rivals, elements.points, elements.normals, own, grid, unit, tolerance, most=400, sweeps=8)
+    turns = np.einsum("nij,skj,lk->nsil", rivals[:, 3:].reshape(-1, 3, 3), unit.symmetries, rotation)
+    cosine = np.max((np.trace(turns, axis1=2, axis2=3) - 1) / 2, axis=1)
+    different = (cosine < np.cos(np.radians(12))) & (np.linalg.norm(rivals[:, :3] - pose[:3], axis=1) < 0.2 * unit.height)
+    if not different.any():
+        return 0.0
+    sign = elements.oriented.astype(np.int8)
+    table = evidence(rivals[different], elements.points, elements.normals, sign, own, grid, unit, tolerance)
+    return max(0.0, *(worth(row) for row in table))
+
+
 def _typical_misfit(table: FloatArray) -> float:
     """Median misfit of the better supported half of the poses, metres: what fitting real surfaces leaves in this cloud."""
     if not len(table):
@@ -175,15 +209,22 @@ def _typical_misfit(table: FloatArray) -> float:
 
 
 def score(row: FloatArray, tolerance: float, typical: float) -> float:
-    """How sure a unit is, 0..1, from its evidence row.
+    """Probability, 0..1, that the evidence row is that of a real unit in its true pose.
 
-    The product of: share of the elements near its surface that lie on it, share of those whose normals agree, freedom from
-    points inside, a misfit no larger than is typical of this cloud (and than chance would give), and enough cells.
+    A logistic model of: odds that an element near the surface lies on it, odds that its normal agrees, elements inside the
+    solid, misfit against what is typical of this cloud and against the tolerance, and number of surface cells. Its weights were
+    fitted to simulated piles, rock and laboratory scenes (``benchmarks/score_calibration.py``), never to a real survey.
     """
-    if row[CLOSE] < 1:
+    close = row[CLOSE]
+    if close < 1:
         return 0.0
-    shares = (row[CLOSE] / max(row[REACHED], 1), row[SUPPORT] / row[CLOSE], 1 - row[INSIDE] / row[CLOSE])
-    fit = np.clip((1.15 - row[RMS] / tolerance) / 0.5, 0, 1)
-    usual = np.clip((3.0 - row[RMS] / max(typical, 1e-12)) / 1.5, 0, 1)
-    size = 1 - np.exp(-row[CELLS] / 4)
-    return float(np.clip(np.prod(np.clip(shares, 0, 1)) * fit * usual * size, 0, 1))
+    # two per cent of disagreement is always allowed for, so that the odds stay finite
+    features = (
+        np.log((close + 1) / (row[REACHED] - close + 1 + 0.02 * close)),
+        np.log((row[SUPPORT] + 1) / (close - row[SUPPORT] + 1 + 0.02 * close)),
+        np.log1p(row[INSIDE]),
+        min(row[RMS] / max(typical, 1e-12), 4.0),
+        row[RMS] / tolerance,
+        np.log1p(row[CELLS]),
+    )
+    return float(1 / (1 + np.exp(-(SCORE_INTERCEPT + np.dot(SCORE_WEIGHTS, features)))))
