@@ -38,6 +38,8 @@ Status = Literal["found", "uncertain"]
 PASSES = 4
 FOUND_SCORE = 0.65
 """Units of at least this score are stated as found; the others are kept as uncertain."""
+LISTED_SCORE = 0.1
+"""Poses of a lower score are chance alignments of rock, wall and water and are not reported at all."""
 SCORE_WEIGHTS = (2.49, 2.85, -0.72, -1.31, -1.47, 0.65)
 SCORE_INTERCEPT = -7.58
 WORTH_ANOTHER_PASS = 0.3
@@ -164,17 +166,21 @@ def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, un
                 shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
     typical = _typical_misfit(table)
     scores = certainty * np.array([score(row, tolerance, typical) for row in table])
-    units = []
-    for k, row in enumerate(table):
-        units.append(
-            DetectedUnit(
-                Pose(poses[k, :3], poses[k, 3:].reshape(3, 3)), float(scores[k]), float(row[CELLS] / NUMBER_OF_CELLS), int(row[LEGS]),
-                "found" if scores[k] >= FOUND_SCORE else "uncertain", float(row[RMS]), float(shared[k]),
-            )
-        )  # fmt: skip
-    raw_tolerance = max(3.5 * elements.noise, 2 * tolerance)
-    labels, _ = assign(points, poses, unit, raw_tolerance)
-    return Segmentation(tuple(units), labels, elements.spacing, elements.noise, tolerance)
+    kept = np.flatnonzero(scores >= LISTED_SCORE)
+    units = tuple(
+        DetectedUnit(
+            Pose(poses[k, :3], poses[k, 3:].reshape(3, 3)),
+            float(scores[k]),
+            float(table[k, CELLS] / NUMBER_OF_CELLS),
+            int(table[k, LEGS]),
+            "found" if scores[k] >= FOUND_SCORE else "uncertain",
+            float(table[k, RMS]),
+            float(shared[k]),
+        )
+        for k in kept
+    )
+    labels, _ = assign(points, poses[kept], unit, max(3.5 * elements.noise, 2 * tolerance))
+    return Segmentation(units, labels, elements.spacing, elements.noise, tolerance)
 
 
 def _best_rival(pose: FloatArray, elements: SurfaceElements, own: NDArray[np.bool_], grid: Grid, unit: UnitType, tolerance: float) -> float:
