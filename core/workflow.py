@@ -31,6 +31,7 @@ from .result_rows import (
     EpochPlan,
     EpochUnits,
     control_rows,
+    covariance_fields,
     epoch_row,
     feature_rows,
     fitted_feature_rows,
@@ -170,7 +171,7 @@ def segment_epochs(
         mine = [k for k, (other, _) in enumerate(blocks) if other is plan]
         arrays = [_loaded(files[k]) for k in mine]
         rows = owners([(blocks[k][1].core, a) for k, a in zip(mine, arrays, strict=True)], heights)
-        result.append(_collected(plan, arrays, rows, tuple(files[k] for k in mine)))
+        result.append(_collected(plan, arrays, rows, tuple(files[k] for k in mine), tuple(unit.type for unit in survey.units)))
     return tuple(result)
 
 
@@ -199,7 +200,7 @@ def _fit_pass(
     for epoch in epochs:
         own = tuple(next(files) for _ in epoch.files)
         arrays = [_loaded(path) for path in own]
-        result.append(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own))
+        result.append(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own, units))
     return tuple(result)
 
 
@@ -269,7 +270,11 @@ def _loaded(path: Path) -> dict[str, NDArray[Any]]:
 
 
 def _collected(
-    plan: EpochPlan, arrays: Sequence[Mapping[str, NDArray[Any]]], rows: Sequence[NDArray[np.int64]], files: tuple[Path, ...]
+    plan: EpochPlan,
+    arrays: Sequence[Mapping[str, NDArray[Any]]],
+    rows: Sequence[NDArray[np.int64]],
+    files: tuple[Path, ...],
+    units: tuple[UnitType, ...],
 ) -> EpochUnits:
     """Units of all blocks in one table, poses absolute, ordered by easting and northing."""
     skip = {"origin", "points", "sources", "offsets"}
@@ -278,7 +283,7 @@ def _collected(
     table["poses"][:, :3] += np.concatenate([np.tile(a["origin"], (len(r), 1)) for a, r in zip(arrays, rows, strict=True)])
     places = np.concatenate([np.column_stack([np.full(len(r), k), r]) for k, r in enumerate(rows)]).astype(np.int64)
     order = np.lexsort((table["poses"][:, 1], table["poses"][:, 0]))
-    return EpochUnits(plan, {name: values[order] for name, values in table.items()}, places[order], files)
+    return EpochUnits(plan, {name: values[order] for name, values in table.items()}, places[order], files, units)
 
 
 def register_epochs(survey: Survey, feedback: Feedback) -> dict[str, Registration]:
@@ -505,12 +510,14 @@ def track_tables(
     from .tracking import track
     from .tracking_tables import TableOptions, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
 
-    origin = np.round(np.mean([p[:3] for e in fitted for p in e.table["poses"]], axis=0)) if any(len(e) for e in fitted) else np.zeros(3)
+    centres = np.concatenate([epoch.table["poses"][:, :3] for epoch in fitted])
+    origin = np.round(centres.mean(axis=0)) if len(centres) else np.zeros(3)
     placed = [_tracked_epoch(e, registrations.get(e.plan.epoch.label), units, origin) for e in fitted]
     result = track(placed, units, _surroundings(survey, fitted, registrations, origin, feedback))
     names = unit_names(len(result.units))
     limits = survey.sections["displacement"]
-    options = TableOptions(tuple(origin.tolist()), limits["significance"], grades_from(limits))
+    base = (float(origin[0]), float(origin[1]), float(origin[2]))
+    options = TableOptions(base, limits["significance"], grades_from(limits))
 
     def from_fit(epoch: int, row: int | None) -> dict[str, Any]:
         if row is None:
@@ -519,15 +526,15 @@ def track_tables(
         fields = ("legs_visible", "coverage", "score", "sigma0")
         return {name: table[name][row] for name in fields} | {"observed": [bool(v) for v in table["observed"][row]]}
 
-    unit_rows_, points = unit_tables(result, placed, units, names, origin, from_fit, feature_rows, covariance_fields)
+    unit_rows_, points = unit_tables(result, placed, units, names, base, from_fit, feature_rows, covariance_fields)
     moved, other = displacement_rows(result, placed, units, names, options)
     tables: Tables = {
         "units": unit_rows_,
         "feature_points": points,
         "displacements": moved,
         "displacements_other": other,
-        "epoch_pairs": pair_rows(result, placed, origin),
-        "velocities": velocity_rows(result, placed, names, origin),
+        "epoch_pairs": pair_rows(result, placed, base),
+        "velocities": velocity_rows(result, placed, names, base),
     }
     settings = {
         e.label: {
@@ -607,7 +614,7 @@ def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Fee
         epochs = segment_epochs(survey, plans, record, runner, feedback.part(0.05, 0.98))
         tables: Tables = {"units": [], "epochs": []}
         for epoch in epochs:
-            tables["units"] += unit_rows(epoch, provisional_ids(len(epoch)), survey)
+            tables["units"] += unit_rows(epoch, provisional_ids(len(epoch)))
             tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {}))
         feedback.check()
         write_result(output, survey.crs, tables)
@@ -626,9 +633,9 @@ def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOption
         tables: Tables = {"units": [], "feature_points": [], "epochs": []}
         for epoch in epochs:
             ids = provisional_ids(len(epoch))
-            tables["units"] += unit_rows(epoch, ids, survey)
+            tables["units"] += unit_rows(epoch, ids)
             for k, name in enumerate(ids):
-                tables["feature_points"] += fitted_feature_rows(epoch, k, name, survey)
+                tables["feature_points"] += fitted_feature_rows(epoch, k, name)
             tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {}))
         feedback.check()
         write_result(output, survey.crs, tables)
