@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -199,6 +200,27 @@ def checked_displacements(
             error = float(np.linalg.norm(fitted - surveyed))
             result.append(CheckedDisplacement(name, a.unit_id, a.feature, start, stop, *lengths, manual, error))
     return tuple(result)
+
+
+def residual_rows(residuals: Sequence[CheckResidual]) -> list[dict[str, Any]]:
+    """Rows of layer ``check_residuals``; a check point without a feature nearby has empty differences."""
+    rows = []
+    for r in residuals:
+        de, dn, dh = (None, None, None) if r.difference is None else r.difference
+        rows.append(
+            {
+                "point_id": r.point_id,
+                "epoch": r.epoch,
+                "unit_id": r.unit_id or None,
+                "feature": r.feature or None,
+                "de": de,
+                "dn": dn,
+                "dh": dh,
+                "d_3d": r.length,
+                "geometry": r.position,
+            }
+        )
+    return rows
 
 
 def summarise(errors: Sequence[float]) -> ErrorSummary:

@@ -473,6 +473,7 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         feedback.progress(start, "tracking units")
         tables, summary = track_tables(survey, fitted, units, registrations, feedback)
         tables |= {"control_residuals": [], "epochs": []}
+        tables["check_residuals"], check_rmse = check_tables(survey, tables["feature_points"], feedback)
         for epoch in fitted:
             label = epoch.plan.epoch.label
             registration = registrations.get(label)
@@ -495,7 +496,30 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         feedback.progress(1 - SHARES["write"], "writing")
         write_result(output, survey.crs, tables)
     feedback.progress(1.0, "done")
-    return {"output": str(output), "units": summary["units"], "moved": summary["moved"], "check_rmse": None}
+    return {"output": str(output), "units": summary["units"], "moved": summary["moved"], "check_rmse": check_rmse}
+
+
+def check_tables(survey: Survey, points: Sequence[Mapping[str, Any]], feedback: Feedback) -> tuple[list[dict[str, Any]], float | None]:
+    """Rows of ``check_residuals`` of all epochs that have check points, and their root mean square length in metres."""
+    from .validation import check_residuals, checked_displacements, read_check, residual_rows, summarise
+
+    residuals = []
+    for epoch in survey.epochs:
+        if epoch.check is None:
+            continue
+        features: dict[str, dict[str, FloatArray]] = {}
+        for row in points:
+            if row["epoch"] == epoch.label:
+                features.setdefault(row["unit_id"], {})[row["feature"]] = row["geometry"]
+        residuals += check_residuals(read_check(epoch.check), features, max(u.type.height for u in survey.units), epoch.label)
+    summary = summarise([c.error for c in checked_displacements(residuals, [epoch.label for epoch in survey.epochs])])
+    if summary.count:
+        feedback.info(
+            f"displacements of {summary.count} check points: mean absolute error {1000 * summary.mean_absolute:.1f} mm, "
+            f"largest {1000 * summary.maximum:.1f} mm"
+        )
+    lengths = [r.length for r in residuals if r.difference is not None]
+    return residual_rows(residuals), math.sqrt(sum(v**2 for v in lengths) / len(lengths)) if lengths else None
 
 
 def track_tables(
