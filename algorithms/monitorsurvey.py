@@ -115,8 +115,8 @@ class MonitorSurvey(SurveyAlgorithm):
         if parameters.get(self.SURVEY):
             # the file states everything; what the engine finds wrong in it is said with its line
             return self.base_check(parameters, context)
-        rows = self.parameterAsMatrix(parameters, self.EPOCHS, context)
-        if not rows:
+        rows = parameters.get(self.EPOCHS) or []
+        if not any(rows):
             return False, tr("Give a survey.toml, or at least one epoch with its tiles.")
         if len(rows) % self.COLUMNS:
             return False, tr("Every epoch needs six columns: label, time, tiles, control points, targets, check points.")

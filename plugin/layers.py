@@ -139,7 +139,7 @@ def style_on_load(context: QgsProcessingContext, identifier: str, name: str, gro
     _prepare(details, name, group)
 
 
-def load_on_completion(context: QgsProcessingContext, source: str, name: str, output: str, group: str, kind: Qgis.LayerType) -> None:
+def load_on_completion(context: QgsProcessingContext, source: str, name: str, output: str, group: str) -> None:
     """Have Processing load a source into the project after the run; without a project (qgis_process) nothing is loaded."""
     project = context.project()
     if project is None:

@@ -23,7 +23,7 @@ def provider(qgis_app: QgsApplication, qgis_processing: None) -> Iterator[Tetrat
     QgsApplication.processingRegistry().removeProvider(found)
 
 
-@pytest.fixture()
+@pytest.fixture
 def tiny(repository: Path) -> Path:
     """Folder of the tiny bundled survey."""
     return repository / "tests" / "data" / "tiny"
@@ -48,13 +48,13 @@ class RecordingFeedback(QgsProcessingFeedback):
         self.progress_texts.append(text)
 
 
-@pytest.fixture()
+@pytest.fixture
 def feedback() -> RecordingFeedback:
     """Recording feedback."""
     return RecordingFeedback()
 
 
-@pytest.fixture()
+@pytest.fixture
 def context() -> Iterator[QgsProcessingContext]:
     """Context with an empty project."""
     project = QgsProject.instance()
@@ -65,7 +65,7 @@ def context() -> Iterator[QgsProcessingContext]:
     project.clear()
 
 
-@pytest.fixture()
+@pytest.fixture
 def fake_engine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], Path]:
     """Make an engine out of a few lines of Python; ``arguments`` holds what it was called with."""
 
@@ -82,7 +82,7 @@ def fake_engine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[st
     return make
 
 
-@pytest.fixture()
+@pytest.fixture
 def no_engine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A machine on which no engine is found."""
     monkeypatch.setenv(engine.PYTHON_VARIABLE, str(tmp_path / "absent"))

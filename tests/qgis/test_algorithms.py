@@ -1,0 +1,331 @@
+"""Every algorithm through Processing with the real engine on the tiny survey, and everything that can be wrong with its input."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from qgis import processing
+from qgis.core import (
+    Qgis,
+    QgsApplication,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsVectorLayer,
+    QgsWkbTypes,
+)
+from tetratrack.core.schema import LAYERS
+from tetratrack.plugin.provider import ALGORITHMS, TetratrackProvider
+
+EPOCHS = ("2024-04-09", "2024-10-09")
+UNIT = {"UNIT": "tetrapod", "HEIGHT": 2.3, "RADIUS": 0.60814, "GRADIENT": 0.1761, "LEG_LENGTH": 1.4812}
+NAMES = [algorithm.ID for algorithm in ALGORITHMS]
+
+
+def run(name: str, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict[str, Any]:
+    """Run an algorithm by name."""
+    return processing.run(f"tetratrack:{name}", parameters, context=context, feedback=feedback)
+
+
+def epoch(tiny: Path, label: str) -> dict[str, Any]:
+    """Parameters of an epoch of the tiny survey."""
+    return {"TILES": str(tiny / "tiles" / label), "EPOCH": label, "CRS": "EPSG:32650"}
+
+
+@pytest.fixture(scope="module")
+def segmented(repository: Path) -> dict[str, Any]:
+    """Units found in the first epoch; the chain starts from them."""
+    tiny = repository / "tests" / "data" / "tiny"
+    return processing.run("tetratrack:segmenttetrapods", {**epoch(tiny, EPOCHS[0]), **UNIT, "UNITS": "TEMPORARY_OUTPUT"})
+
+
+@pytest.fixture(scope="module")
+def fitted(repository: Path, segmented: dict[str, Any]) -> dict[str, Any]:
+    """The same units, fitted."""
+    tiny = repository / "tests" / "data" / "tiny"
+    parameters = {**epoch(tiny, EPOCHS[0]), **UNIT, "INPUT": segmented["UNITS"], "UNITS": "TEMPORARY_OUTPUT"}
+    return processing.run("tetratrack:fittetrapods", parameters)
+
+
+@pytest.fixture(scope="module")
+def monitored(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """All steps on the tiny survey, by survey.toml."""
+    target = tmp_path_factory.mktemp("monitored") / "result.gpkg"
+    survey = repository / "tests" / "data" / "tiny" / "survey.toml"
+    return processing.run("tetratrack:monitorsurvey", {"SURVEY": str(survey), "OUTPUT": str(target)})
+
+
+def test_all_algorithms_are_listed(provider: TetratrackProvider) -> None:
+    assert sorted(a.name() for a in provider.algorithms()) == sorted(NAMES)
+    assert len(NAMES) == 12
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_algorithm_explains_itself(name: str) -> None:
+    algorithm: QgsProcessingAlgorithm = QgsApplication.processingRegistry().algorithmById(f"tetratrack:{name}")
+    assert algorithm.displayName()
+    assert algorithm.group()
+    assert len(algorithm.tags()) >= 3
+    assert not algorithm.icon().isNull()
+    text = algorithm.shortHelpString()
+    for definition in algorithm.parameterDefinitions():
+        assert definition.help(), f"{name} {definition.name()} has no help"
+        assert definition.help() in text
+    assert len(algorithm.shortDescription()) > 40
+
+
+def test_inspect_lists_tiles(tiny: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+    found = run("inspecttiles", {"TILES": str(tiny / "tiles" / EPOCHS[0]), "OUTPUT": "TEMPORARY_OUTPUT"}, context, feedback)
+    layer: QgsVectorLayer = found["OUTPUT"]
+    assert layer.featureCount() == found["TILE_COUNT"] == 2
+    assert layer.crs().authid() == found["TILES_CRS"] == "EPSG:32650"
+    assert found["POINT_COUNT"] == sum(feature["points"] for feature in layer.getFeatures())
+    assert found["DENSITY"] > 50
+
+
+def test_register_finds_the_transformation(
+    tiny: Path, tmp_path: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+) -> None:
+    parameters = {
+        **epoch(tiny, EPOCHS[0]),
+        "CONTROL": str(tiny / f"control_{EPOCHS[0]}.csv"),
+        "TARGETS": str(tiny / f"targets_{EPOCHS[0]}.csv"),
+        "RESIDUALS": "TEMPORARY_OUTPUT",
+        "OUTPUT": str(tmp_path / "registration.gpkg"),
+    }
+    found = run("registertocontrol", parameters, context, feedback)
+    assert found["RMSE"] < 0.02
+    assert found["RESIDUALS"].wkbType() == Qgis.WkbType.PointZ
+    assert found["RESIDUALS"].featureCount() >= 4
+    (row,) = QgsVectorLayer(f"{found['OUTPUT']}|layername=epochs", "epochs", "ogr").getFeatures()
+    assert "covariance" in json.loads(row["transformation"])
+
+
+def test_steps_feed_each_other(fitted: dict[str, Any], segmented: dict[str, Any]) -> None:
+    layer: QgsVectorLayer = fitted["UNITS"]
+    assert fitted["UNITS_FITTED"] == segmented["UNITS_FOUND"] == layer.featureCount() == 4
+    assert QgsWkbTypes.displayString(layer.wkbType()) == "PointZ"
+    assert [field.name() for field in layer.fields()] == list(LAYERS["units"].names)
+    assert layer.fields().field("epoch_time").typeName().lower().startswith("datetime")
+    best = max(layer.getFeatures(), key=lambda feature: feature["coverage"])
+    assert 0 < best["sd_e"] < 0.02
+
+
+def test_feature_points_follow_from_units(fitted: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+    found = run("extractfeaturepoints", {"INPUT": fitted["UNITS"], "OUTPUT": "TEMPORARY_OUTPUT"}, context, feedback)
+    assert found["POINT_COUNT"] == 5 * fitted["UNITS_FITTED"]
+    assert {feature["feature"] for feature in found["OUTPUT"].getFeatures()} == {"centre", "f123", "f124", "f134", "f234"}
+
+
+def test_plan_states_numbers(context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+    coarse = run("planningdetectability", {"UNIT": "tetrapod 8 t", "DENSITY": 50}, context, feedback)
+    fine = run("planningdetectability", {"UNIT": "tetrapod 8 t", "DENSITY": 500}, context, feedback)
+    assert 0 < fine["DETECTABLE_WORST"] < coarse["DETECTABLE_WORST"] < 1
+
+
+def test_result_holds_every_layer_with_its_style(monitored: dict[str, Any]) -> None:
+    assert monitored["UNITS_FOUND"] == 4
+    for name, layer in LAYERS.items():
+        opened = QgsVectorLayer(f"{monitored['OUTPUT']}|layername={name}", name, "ogr")
+        assert opened.isValid(), name
+        assert set(layer.names) <= set(opened.fields().names()), name
+    units = QgsVectorLayer(f"{monitored['OUTPUT']}|layername=units", "units", "ogr")
+    assert units.renderer().type() == "RuleRenderer"
+    assert units.temporalProperties().isActive()
+    assert units.temporalProperties().startField() == "epoch_time"
+    assert units.elevationProperties().clamping() == Qgis.AltitudeClamping.Absolute
+    assert units.labelsEnabled()
+    arrows = QgsVectorLayer(f"{monitored['OUTPUT']}|layername=displacements", "displacements", "ogr")
+    assert arrows.temporalProperties().startField() == "time_from"
+    assert arrows.temporalProperties().endField() == "time_to"
+
+
+def test_result_loads_as_a_styled_group(
+    repository: Path, tmp_path: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+) -> None:
+    """As the dialog does it: the algorithm names the layers, Processing loads them, post-processors style them."""
+    from processing.gui.Postprocessing import handleAlgorithmResults
+
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("tetratrack:monitorsurvey")
+    survey = repository / "tests" / "data" / "tiny" / "survey.toml"
+    results, done = algorithm.run({"SURVEY": str(survey), "OUTPUT": str(tmp_path / "north.gpkg")}, context, feedback)
+    assert done, results
+    handleAlgorithmResults(algorithm, context, feedback, parameters={})
+    project = context.project()
+    group = project.layerTreeRoot().findGroup("north")
+    titles = [node.name() for node in group.findLayers()]
+    assert {"Units", "Feature points", "Control residuals"} <= set(titles)
+    assert any(title.startswith("north_relief_2024-04-09") for title in titles), "no shaded relief"
+    units = project.mapLayersByName("Units")[0]
+    assert units.renderer().type() == "RuleRenderer"
+    assert units.temporalProperties().isActive()
+    assert units.metadata().title() == "Units"
+
+
+def test_epochs_as_rows_give_the_same_result(
+    tiny: Path, tmp_path: Path, monitored: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+) -> None:
+    rows: list[str] = []
+    for label, stamp in zip(EPOCHS, ("2024-04-09T02:30:00Z", "2024-10-09T03:37:00Z")):
+        tables = [str(tiny / f"{kind}_{label}.csv") for kind in ("control", "targets", "check")]
+        rows += [label, stamp, str(tiny / "tiles" / label), *tables]
+    parameters = {"EPOCHS": rows, **UNIT, "OUTPUT": str(tmp_path / "rows.gpkg"), "UNITS": "TEMPORARY_OUTPUT", "BACKDROP": False}
+    found = run("monitorsurvey", parameters, context, feedback)
+    assert centres(found["OUTPUT"]) == pytest.approx(centres(monitored["OUTPUT"]), abs=1e-6)
+    assert found["UNITS"].featureCount() == len(centres(monitored["OUTPUT"])) // 3
+
+
+def centres(path: str) -> list[float]:
+    """Coordinates of all units, in order of epoch and id."""
+    layer = QgsVectorLayer(f"{path}|layername=units", "units", "ogr")
+    rows = sorted((f for f in layer.getFeatures() if f.hasGeometry()), key=lambda f: (f["epoch"], f["unit_id"]))
+    return [value for f in rows for value in (f.geometry().constGet().x(), f.geometry().constGet().y(), f.geometry().constGet().z())]
+
+
+def test_toolbox_and_command_give_the_same_numbers(repository: Path, tiny: Path, tmp_path: Path, monitored: dict[str, Any]) -> None:
+    command = [str(repository / ".venv" / "bin" / "tetratrack"), "run", str(tiny / "survey.toml"), "-o", str(tmp_path / "r.gpkg"), "-q"]
+    environment = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "PROJ_", "GDAL_"))}
+    subprocess.run(command, check=True, env=environment, capture_output=True)
+    assert centres(str(tmp_path / "r.gpkg")) == pytest.approx(centres(monitored["OUTPUT"]), abs=1e-6)
+
+
+def test_qgis_process_reads_and_writes_json(repository: Path, tiny: Path, tmp_path: Path) -> None:
+    """The plugin loaded by qgis_process from a profile, under a folder of another name."""
+    profile = tmp_path / "profile"
+    plugins = profile / "profiles" / "default" / "python" / "plugins"
+    plugins.mkdir(parents=True)
+    os.symlink(repository, plugins / "breakwater_watch")
+    environment = {
+        **os.environ,
+        "QT_QPA_PLATFORM": "offscreen",
+        "QGIS_CUSTOM_CONFIG_PATH": str(profile),
+        "TETRATRACK_ENGINE_PYTHON": str(repository / ".venv" / "bin" / "python"),
+        "QGIS_OPTS": "",
+    }
+    subprocess.run(["qgis_process", "plugins", "enable", "breakwater_watch"], env=environment, check=True, capture_output=True)
+    inputs = {"inputs": {"TILES": [str(tiny / "tiles" / EPOCHS[0])], "OUTPUT": str(tmp_path / "index.gpkg")}}
+    done = subprocess.run(
+        ["qgis_process", "run", "tetratrack:inspecttiles", "-"],
+        env=environment,
+        input=json.dumps(inputs),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["results"]["TILE_COUNT"] == 2
+
+
+def test_cancel_leaves_nothing(tmp_path: Path, repository: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+    started = time.monotonic()
+    original = feedback.isCanceled
+    feedback.isCanceled = lambda: time.monotonic() - started > 2.0 or original()
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("tetratrack:monitorsurvey")
+    survey = repository / "tests" / "data" / "tiny" / "survey.toml"
+    results, done = algorithm.run({"SURVEY": str(survey), "OUTPUT": str(tmp_path / "result.gpkg")}, context, feedback)
+    assert time.monotonic() - started < 4.0
+    assert done
+    assert results.get("UNITS_FOUND") is None
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_missing_engine_is_said_in_one_sentence(name: str, no_engine: None) -> None:
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById(f"tetratrack:{name}")
+    possible, message = algorithm.canExecute()
+    assert not possible
+    assert "Options" in message
+
+
+def test_missing_engine_is_an_error_under_qgis_process_too(
+    no_engine: None, tiny: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+) -> None:
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("tetratrack:inspecttiles")
+    parameters = {"TILES": str(tiny / "tiles" / EPOCHS[0]), "OUTPUT": "TEMPORARY_OUTPUT"}
+    algorithm.prepare(parameters, context, feedback)
+    with pytest.raises(QgsProcessingException, match="not installed"):
+        algorithm.runPrepared(parameters, context, feedback)
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters", "words"),
+    [
+        ("segmenttetrapods", {"UNIT": "tetrapod"}, "height H"),
+        ("segmenttetrapods", {"UNIT": "dolos"}, "must be tetrapod"),
+        ("segmenttetrapods", {**UNIT, "RADIUS": 2.0}, "smaller than half"),
+        ("segmenttetrapods", {**UNIT, "CRS": "EPSG:4326"}, "geographic"),
+        ("planningdetectability", {"SIGNIFICANCE": 0.4, "POWER": 0.3}, "below the power"),
+        ("monitorsurvey", {}, "survey.toml"),
+        ("monitorsurvey", {"EPOCHS": ["a", "b"], **UNIT}, "six columns"),
+    ],
+)
+def test_parameters_that_do_not_go_together(
+    name: str, parameters: dict[str, Any], words: str, tiny: Path, tmp_path: Path, context: QgsProcessingContext
+) -> None:
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById(f"tetratrack:{name}")
+    given = {"TILES": str(tiny / "tiles" / EPOCHS[0]), "UNITS": "TEMPORARY_OUTPUT", "OUTPUT": str(tmp_path / "r.gpkg"), **parameters}
+    accepted, message = algorithm.checkParameterValues(given, context)
+    assert not accepted
+    assert words in message
+
+
+def failure(name: str, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> str:
+    """Message with which an algorithm refuses."""
+    with pytest.raises(QgsProcessingException) as caught:
+        run(name, parameters, context, feedback)
+    return str(caught.value)
+
+
+def test_missing_tiles_are_named(tmp_path: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("tetratrack:inspecttiles")
+    parameters = {"TILES": str(tmp_path / "absent.laz"), "OUTPUT": "TEMPORARY_OUTPUT"}
+    with pytest.raises(QgsProcessingException, match=r"absent\.laz"):
+        algorithm.prepareAlgorithm(parameters, context, feedback)
+
+
+def test_a_file_that_is_no_cloud_is_named(tmp_path: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+    (tmp_path / "notes.laz").write_text("not a point cloud")
+    message = failure("inspecttiles", {"TILES": str(tmp_path / "notes.laz"), "OUTPUT": "TEMPORARY_OUTPUT"}, context, feedback)
+    assert "notes.laz" in message
+    assert "Traceback" not in message
+
+
+def test_wrong_crs_is_refused(tiny: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+    parameters = {**epoch(tiny, EPOCHS[0]), **UNIT, "CRS": "EPSG:2229", "UNITS": "TEMPORARY_OUTPUT"}
+    message = failure("segmenttetrapods", parameters, context, feedback)
+    assert "2229" in message
+    assert "metre" in message
+
+
+def test_output_that_cannot_be_written_is_said(
+    repository: Path, tmp_path: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+) -> None:
+    blocked = tmp_path / "file"
+    blocked.write_text("")
+    survey = repository / "tests" / "data" / "tiny" / "survey.toml"
+    message = failure("monitorsurvey", {"SURVEY": str(survey), "OUTPUT": str(blocked / "result.gpkg")}, context, feedback)
+    assert "result.gpkg" in message or "file" in message
+    assert "Traceback" not in message
+
+
+def test_layer_without_the_fields_is_named(context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+    layer = QgsVectorLayer("PointZ?crs=EPSG:32650&field=name:string", "trees", "memory")
+    message = failure("extractfeaturepoints", {"INPUT": layer, "OUTPUT": "TEMPORARY_OUTPUT"}, context, feedback)
+    assert "trees" in message
+    assert "unit_id" in message
+
+
+def test_a_crash_of_the_engine_is_a_message(
+    fake_engine: Callable[[str], Path], tiny: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+) -> None:
+    fake_engine("os.kill(os.getpid(), signal.SIGKILL)")
+    message = failure("inspecttiles", {"TILES": str(tiny / "tiles" / EPOCHS[0]), "OUTPUT": "TEMPORARY_OUTPUT"}, context, feedback)
+    assert "ended unexpectedly" in message
