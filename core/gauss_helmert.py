@@ -52,12 +52,15 @@ EDGE_RATIO = 0.03
 """Width of the fillet along creases and of the chamfer around end discs that is left out, as a share of the height."""
 TIP_RATIO = 0.87
 """Share of the leg up to which the cone of a real leg holds; its tip is rounded."""
-APPROACH_SAMPLE = 400
+APPROACH_SAMPLE = 250
 """Points with which the adjustment comes near before it uses all."""
-CORRELATION_SAMPLE = 800
+CORRELATION_SAMPLE = 1500
 """Points among which the correlation of residuals is looked for; all pairs are formed."""
-_LAGS = np.array([0.0, 0.006, 0.012, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.2, 0.25])
+_LAGS = np.array([0.0, 0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16])
 """Edges of the distance classes for that, as shares of the height."""
+_CORRELATION_LENGTHS = np.tile(np.geomspace(0.01, 0.12, 10), 2)
+_CORRELATION_EXPONENTS = np.repeat([1.0, 2.0], 10)
+_USUAL_CORRELATION = 16
 
 
 @dataclass(frozen=True)
@@ -181,13 +184,16 @@ class Adjustment:
         return unit.with_shape(self.radius, self.gradient)
 
 
-@njit(cache=True)
+_COMPILED = {"cache": True, "error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
+
+
+@njit(**_COMPILED)
 def _ramp(t: float) -> float:
     """0 up to 3/4 of an edge's width, 1 from 5/4: a hard limit would let points flip in and out for ever."""
     return min(max(2.0 * (t - 0.75), 0.0), 1.0)
 
 
-@njit(cache=True)
+@njit(**_COMPILED)
 def _robust_weight(u: float) -> tuple[float, float]:
     """Weight of a standardised residual, and the derivative of weight times residual."""
     v = (abs(u) - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT)
@@ -210,15 +216,15 @@ def _scale_consistency() -> float:
 _SCALE_CONSISTENCY = _scale_consistency()
 
 
-@njit(cache=True)
+@njit(**_COMPILED)
 def _inside_probability(t: float) -> float:
     if t > 6.0:
         return 1.0
     return 0.5 * math.erfc(-t * 0.7071067811865476)
 
 
-@njit(cache=True)
-def _foot(x, y, z, leg, disc, axes, r, c, end, cov, has_cov, out):  # type: ignore[no-untyped-def]
+@njit(**_COMPILED)
+def _foot(x, y, z, leg, disc, axes, creases, r, c, end, cov, has_cov, out):  # type: ignore[no-untyped-def]
     """Adjusted observation of one point (body frame) on the lateral surface or end disc of one leg.
 
     ``out`` receives the outward normal (0:3), signed distance (3), standard deviation along it for unit noise (4), axial coordinate
@@ -278,19 +284,20 @@ def _foot(x, y, z, leg, disc, axes, r, c, end, cov, has_cov, out):  # type: igno
         for m in range(4):
             if m == leg:
                 continue
-            qx, qy, qz = ax - axes[m, 0], ay - axes[m, 1], az - axes[m, 2]
-            q = math.sqrt(qx * qx + qy * qy + qz * qz)
-            slope = (nx * qx + ny * qy + nz * qz) / q
-            # from the distance to the crease's plane to the distance within the surface
-            along = (fx * qx + fy * qy + fz * qz) / (q * math.sqrt(max(1.0 - slope * slope, 0.05)))
-            inside = min(inside, along)
+            qx, qy, qz = creases[leg, m, 0], creases[leg, m, 1], creases[leg, m, 2]
+            away = fx * qx + fy * qy + fz * qz
+            if away < 0.5 * r:
+                # from the distance to the crease's plane to the distance within the surface
+                slope = nx * qx + ny * qy + nz * qz
+                away /= math.sqrt(max(1.0 - slope * slope, 0.05))
+            inside = min(inside, away)
     out[0], out[1], out[2], out[3] = nx, ny, nz, e
     out[4], out[5], out[6], out[7] = math.sqrt(variance), axial, bias, inside
     out[8], out[9], out[10] = fx, fy, fz
 
 
-@njit(cache=True)
-def _candidates(x, y, z, given, axes, r, c, length, ends, cov, has_cov, opened, discs, noise, found, density):  # type: ignore[no-untyped-def]
+@njit(**_COMPILED)
+def _candidates(x, y, z, given, axes, creases, r, c, length, ends, cov, has_cov, opened, discs, noise, found, density):  # type: ignore[no-untyped-def]
     """Logarithm of the density of a point under each part (0..3 lateral, 4..7 end discs), into ``density``; returns the best part or -1."""
     for k in range(8):
         density[k] = -1e300
@@ -308,13 +315,13 @@ def _candidates(x, y, z, given, axes, r, c, length, ends, cov, has_cov, opened, 
         if k != nearest:
             # the creases are the planes of equal lean: a leg further off than the noise reaches cannot own the point
             lean = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
-            if given >= 0 or not opened[k] or reach - lean > 10.0 * noise:
+            if given >= 0 or not opened[k] or reach - lean > 8.0 * noise:
                 continue
         for disc in range(2):
             if disc == 1 and not discs[k]:
                 continue
             j = k + 4 * disc
-            _foot(x, y, z, k, disc == 1, axes, r, c, ends[k], cov, has_cov, found[j])
+            _foot(x, y, z, k, disc == 1, axes, creases, r, c, ends[k], cov, has_cov, found[j])
             spread = max(noise * found[j, 4], 1e-300)
             share = 1.0
             if disc == 1 or given < 0:
@@ -330,9 +337,9 @@ def _candidates(x, y, z, given, axes, r, c, length, ends, cov, has_cov, opened, 
     return best
 
 
-@njit(cache=True)
+@njit(**_COMPILED)
 def _pass(  # type: ignore[no-untyped-def]
-    points, centre, rotation, axes, shape, ends, cov, given, opened, discs, scale, noise, correct, tip, edge, redescend, final,
+    points, centre, rotation, axes, creases, shape, ends, cov, given, opened, discs, scale, noise, correct, tip, edge, redescend, final,
     normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, rows, feet,
 ):  # fmt: skip
     """One linearisation: normal equations, right-hand side and the state of every point.
@@ -382,7 +389,7 @@ def _pass(  # type: ignore[no-untyped-def]
                         for q in range(3):
                             total += rotation[p, a] * cov[i, p, q] * rotation[q, b]
                     body_cov[a, b] = total
-        best = _candidates(x, y, z, known, axes, r, c, length, ends, body_cov, has_cov, opened, discs, noise, found, density)
+        best = _candidates(x, y, z, known, axes, creases, r, c, length, ends, body_cov, has_cov, opened, discs, noise, found, density)
         if best < 0:
             continue
         legs[i] = best % 4
@@ -442,10 +449,17 @@ def _pass(  # type: ignore[no-untyped-def]
             squares += share * narrow * u * u
             total_weight += share * narrow
             last = 8 if k < 4 else 12
-            for a in range(last):
-                rhs[a] -= w * row[a] * u
-                for b in range(a + 1):
-                    normal[a, b] += w * row[a] * row[b]
+            for a in range(8):
+                p = w * row[a]
+                rhs[a] -= p * u
+                for b in range(8):
+                    normal[a, b] += p * row[b]
+            if k >= 4:
+                p = w * row[k + 4]
+                rhs[k + 4] -= p * u
+                normal[k + 4, k + 4] += p * row[k + 4]
+                for b in range(8):
+                    normal[k + 4, b] += p * row[b]
             if not final:
                 continue
             if gate < 1.0:
@@ -475,7 +489,7 @@ def _pass(  # type: ignore[no-untyped-def]
     return squares, total_weight, psi_squares, slopes, singles
 
 
-@njit(cache=True)
+@njit(**_COMPILED)
 def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, noise, out):  # type: ignore[no-untyped-def]
     """What the noise along the surface adds to the normal equations but not to what the points determine, into ``out`` (12, 12).
 
@@ -523,47 +537,55 @@ def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, noi
                 out[a, b] += p * (along_g * shift[a] * shift[b] + along_t * turn[a] * turn[b])
 
 
-@njit(cache=True)
+@njit(**_COMPILED)
 def _lag_products(points, values, whitened, lags, sums, expected, counts):  # type: ignore[no-untyped-def]
-    """Products of residuals over all pairs, by class of distance, and what the fit itself makes of white noise there."""
+    """Products of residuals over all pairs of points sorted by x, by class of distance, and what the fit makes of white noise there."""
     n = points.shape[0]
-    reach = lags[-1] ** 2
+    squares = lags * lags
+    reach = squares[-1]
+    first = 0
     for i in range(n):
-        for j in range(i):
+        while points[i, 0] - points[first, 0] > lags[-1]:
+            first += 1
+        for j in range(first, i):
             dx, dy, dz = points[i, 0] - points[j, 0], points[i, 1] - points[j, 1], points[i, 2] - points[j, 2]
             square = dx * dx + dy * dy + dz * dz
             if square >= reach:
                 continue
-            distance = math.sqrt(square)
             k = 0
-            while lags[k + 1] <= distance:
+            while squares[k + 1] <= square:
                 k += 1
             counts[k] += 1.0
             sums[k] += values[i] * values[j]
-            hat = 0.0
-            for m in range(whitened.shape[1]):
-                hat += whitened[i, m] * whitened[j, m]
-            expected[k] -= hat
+            if (i + j) % 4 == 0:
+                # smooth in the distance: a quarter of the pairs is enough
+                hat = 0.0
+                for m in range(whitened.shape[1]):
+                    hat += whitened[i, m] * whitened[j, m]
+                expected[k] -= 4.0 * hat
 
 
-@njit(cache=True)
+@njit(**_COMPILED)
 def _pair_products(points, rows, length, exponent, reach, out):  # type: ignore[no-untyped-def]
-    """Sum over all pairs i != j of exp(-(distance / length)^exponent) times the outer product of their rows, into ``out``."""
+    """Sum over pairs i != j of exp(-(distance / length)^exponent) times the outer product of their rows, into ``out``; sorted by x."""
     n, m = rows.shape
     mixed = np.zeros(m)
+    first = 0
     for i in range(n):
+        while points[i, 0] - points[first, 0] > reach:
+            first += 1
         mixed[:] = 0.0
-        for j in range(n):
+        for j in range(first, i):
             dx, dy, dz = points[i, 0] - points[j, 0], points[i, 1] - points[j, 1], points[i, 2] - points[j, 2]
             square = dx * dx + dy * dy + dz * dz
-            if i == j or square > reach * reach:
+            if square > reach * reach:
                 continue
             correlation = math.exp(-((math.sqrt(square) / length) ** exponent))
             for a in range(m):
                 mixed[a] += correlation * rows[j, a]
         for a in range(m):
             for b in range(m):
-                out[a, b] += rows[i, a] * mixed[b]
+                out[a, b] += rows[i, a] * mixed[b] + mixed[a] * rows[i, b]
 
 
 def adjust(
@@ -656,6 +678,8 @@ class _Solver:
         self.shape = np.array([unit.radius, unit.gradient, unit.leg_length])
         self.leg_errors = np.zeros(4)
         self.axes = np.ascontiguousarray(unit.leg_directions)
+        between = self.axes[:, None] - self.axes[None]
+        self.creases = between / np.maximum(np.linalg.norm(between, axis=2, keepdims=True), 1e-300)
         self.normal, self.plain, self.shared, self.shared_scores = (np.zeros((12, 12)) for _ in range(4))
         self.rhs = np.zeros(12)
         self.legs, self.parts = np.zeros(n, dtype=np.int64), np.zeros(n, dtype=np.int64)
@@ -737,14 +761,14 @@ class _Solver:
         closeness, wide = self.quantile_scale(0.6), self.state()
         tight = window * scale
         while tight > max(self.options.sigma or 0.0, self.floor) and self.share_within(tight) > 0.5:
-            tight *= 0.6
+            tight *= 0.5
             self.linearise(tight, redescend=True)
             self.step()
         for _ in range(20):
             squares, weight_sum = self.linearise(tight, redescend=True)
             self.step()
             previous, tight = tight, self.refined_scale(tight, squares, weight_sum)
-            if abs(tight - previous) < 0.05 * tight:
+            if abs(tight - previous) < 0.1 * tight:
                 break
         self.linearise(tight, redescend=True)
         if self.quantile_scale(0.6) < closeness:
@@ -761,10 +785,10 @@ class _Solver:
 
     def linearise(self, scale: float, *, redescend: bool, final: bool = False) -> tuple[float, float]:
         """Refresh the normal equations; returns the sums of squares and of weights that make the scale."""
-        noise = scale if self.options.sigma is None else self.options.sigma
+        correct = (self.options.sigma or scale) if self.options.bias_correction else 0.0
         squares, weight_sum, self.psi_squares, self.slopes, self.singles = _pass(
-            self.xyz, self.centre, self.rotation, self.axes, self.shape, self.unit.leg_length + self.leg_errors, self.cov, self.given,
-            self.opened, self.discs, scale, scale, noise if self.options.bias_correction else 0.0, self.tip, self.edge, redescend, final,
+            self.xyz, self.centre, self.rotation, self.axes, self.creases, self.shape, self.unit.leg_length + self.leg_errors, self.cov,
+            self.given, self.opened, self.discs, scale, scale, correct, self.tip, self.edge, redescend, final,
             self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
             self.biases, self.weights, self.rows, self.feet,
         )  # fmt: skip
@@ -937,8 +961,8 @@ class _Solver:
     def correlated_part(self, white: FloatArray, psi: float) -> FloatArray:
         """(12, 12) what the correlation between residuals of neighbouring points adds to the expected outer product of the scores.
 
-        A covariance function s exp(-(h / l)^p), p = 1 or 2, is fitted to the products of residuals by distance; it counts only where it
-        stands out of what white noise would show.
+        A covariance function s exp(-(h / l)^p), p = 1 or 2, is fitted to the products of residuals by distance; the form that stands
+        out most is taken.
         """
         used = np.flatnonzero(self.weights > 0.05)
         nothing = np.zeros((12, 12))
@@ -946,12 +970,13 @@ class _Solver:
             return nothing
         chosen = used[:: math.ceil(len(used) / CORRELATION_SAMPLE)]
         thinning = len(used) / len(chosen)
+        chosen = chosen[np.argsort(self.feet[chosen, 0])]
         u = self.standardised()[chosen]
         u = u * self.weights[chosen] / math.sqrt(float(np.mean((u * self.weights[chosen]) ** 2)))
         # distances between adjusted observations: those between noisy points depend on the residuals
         points, rows = np.ascontiguousarray(self.feet[chosen]), np.ascontiguousarray(self.rows[chosen])
-        roots = np.linalg.eigh(white)
-        whitened = np.ascontiguousarray(rows @ (roots[1] * np.sqrt(np.maximum(roots[0], 0))))
+        values, vectors = np.linalg.eigh(white[:8, :8])
+        whitened = np.ascontiguousarray(rows[:, :8] @ (vectors * np.sqrt(np.maximum(values, 0))))
         lags = _LAGS * self.unit.height
         sums, expected, counts = (np.zeros(len(lags) - 1) for _ in range(3))
         _lag_products(points, u, whitened, lags, sums, expected, counts)
@@ -960,22 +985,27 @@ class _Solver:
             return nothing
         middle = 0.5 * (lags[1:] + lags[:-1])[usable]
         counts = counts[usable]
-        # the fit takes a little of every pair's product away; without correlation its expectation is not zero but this
-        products = (sums[usable] - expected[usable]) / counts
-        best = (0.0, 0.0, 0.0, 0.0)
-        for exponent in (1.0, 2.0):
-            for length in np.geomspace(0.01, 0.2, 14) * self.unit.height:
-                form = np.exp(-((middle / length) ** exponent))
-                strength = float(np.sum(counts * form * products) / np.sum(counts * form**2))
-                deviations = strength * math.sqrt(float(np.sum(counts * form**2)))
-                if deviations > best[0]:
-                    best = (deviations, min(strength, 1.0), float(length), exponent)
-        deviations, strength, length, exponent = best
-        if deviations < 3.0:
-            return nothing
-        pairs = np.zeros((12, 12))
-        _pair_products(points, rows, length, exponent, length * (5.0 if exponent == 1 else 2.5), pairs)
-        return np.asarray(psi * strength * thinning**2 * pairs)
+        forms = np.exp(-((middle / _CORRELATION_LENGTHS[:, None] / self.unit.height) ** _CORRELATION_EXPONENTS[:, None]))
+        information = forms**2 @ counts
+        correlated, inflation = nothing, 1.0
+        skip = math.ceil(len(points) / 500)
+        for _ in range(2):
+            # the fit takes a little of every pair's product away, the more the fewer independent points there are
+            strengths = forms @ (sums - inflation * expected)[usable] / information
+            deviations = strengths * np.sqrt(information)
+            best = int(np.argmax(deviations))
+            if deviations[best] < 2.5:
+                # what is too weak to show its form is taken at the length of a mould's roughness, if at all
+                best = _USUAL_CORRELATION
+                if strengths[best] <= 0:
+                    return nothing
+            strength = min(float(strengths[best]), 1.0)
+            length, exponent = float(_CORRELATION_LENGTHS[best]) * self.unit.height, float(_CORRELATION_EXPONENTS[best])
+            pairs = np.zeros((12, 12))
+            _pair_products(points[::skip], rows[::skip], length, exponent, length * (4.0 if exponent == 1 else 2.2), pairs)
+            correlated = strength * (thinning * len(points) / len(points[::skip])) ** 2 * pairs
+            inflation = 1 + max(float(np.trace(white @ correlated)), 0.0) / max(float(np.trace(white @ self.plain)), 1.0)
+        return np.asarray(psi * correlated)
 
 
 def _flags(visible: int, undetermined: int, discs_only: bool) -> tuple[str, ...]:
