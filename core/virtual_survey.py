@@ -18,9 +18,10 @@ from scipy.spatial.transform import Rotation
 
 from .armour_pile import Changes, PiledUnit, Site, change, settle, settle_models
 from .errors import CrsError, InputError, OutputError
+from .feature_points import FEATURES, body_features
 from .pose import Pose
 from .tetrapod import surface_cells
-from .unit_types import UnitType
+from .unit_types import Opening, UnitType
 from .virtual_scanner import (
     Instrument,
     Returns,
@@ -34,7 +35,6 @@ from .virtual_scanner import (
 
 FloatArray = NDArray[np.float64]
 
-FEATURES = ("f123", "f124", "f134", "f234")
 _OPPOSITE = (3, 2, 1, 0)
 """Leg opposite to each feature point."""
 
@@ -139,8 +139,10 @@ class SimulationPlan:
         Number of tiles along easting and northing.
     first_day
         Date of the first epoch.
-    radius, gradient
-        Cone of the units where it is not the standard one.
+    radius, gradient, leg_length
+        Proportions of the units where they are not the standard ones.
+    opening
+        ``tetrahedral``, or ``paper`` (120 degrees between leg 1 and the others).
     """
 
     name: str
@@ -160,6 +162,8 @@ class SimulationPlan:
     first_day: date = date(2024, 4, 9)
     radius: float | None = None
     gradient: float | None = None
+    leg_length: float | None = None
+    opening: Opening = "tetrahedral"
 
     def __post_init__(self) -> None:
         if self.instrument not in INSTRUMENTS:
@@ -191,7 +195,7 @@ class SimulationPlan:
     @property
     def unit(self) -> UnitType:
         """Nominal unit."""
-        return UnitType.tetrapod(self.height, radius=self.radius, gradient=self.gradient)
+        return UnitType.tetrapod(self.height, radius=self.radius, gradient=self.gradient, leg_length=self.leg_length, opening=self.opening)
 
 
 @dataclass(frozen=True, eq=False)
@@ -357,8 +361,7 @@ class _Simulation:
             )
             facing_centre = int(seen[u.number] >= 0.05)
             self.feature_rows.append([f"U{u.number:03d}", label, "centre", *centre, facing_centre])
-            for name, opposite in zip(FEATURES, _OPPOSITE, strict=True):
-                place = -shape.leg_directions[opposite] * shape.crotch_distance
+            for name, opposite, place in zip(FEATURES[1:], _OPPOSITE, body_features(shape)[1:], strict=True):
                 near = body[np.linalg.norm(body - place, axis=1) < 0.16 * shape.height]
                 three = len(near) > 0 and len(set(np.argmax(near @ shape.leg_directions.T, axis=1).tolist()) - {opposite}) == 3
                 self.feature_rows.append([f"U{u.number:03d}", label, name, *(f"{v:.{digits}f}" for v in pose.to_frame(place)), int(three)])
@@ -432,10 +435,10 @@ class _Simulation:
             if u is None:
                 continue
             shape, pose = u.shape(self.unit), self.frame.pose(u.pose)
-            for name, opposite in zip(FEATURES, _OPPOSITE, strict=True):
+            for name, place in zip(FEATURES[1:], body_features(shape)[1:], strict=True):
                 if (f"U{u.number:03d}", name) not in visible:
                     continue
-                point = pose.to_frame(-shape.leg_directions[opposite] * shape.crotch_distance) + self.rng.normal(0, sd, 3)
+                point = pose.to_frame(place) + self.rng.normal(0, sd, 3)
                 rough = pose.centre + self.rng.normal(0, 0.03 * shape.height, 3)
                 decimals, fine = (3, 5) if self.plan.laboratory else (2, 4)
                 rows.append([f"K{k + 1:02d}{name[1:]}", *(round(float(v), decimals) for v in rough), *(f"{v:.{fine}f}" for v in point), sd])
@@ -464,7 +467,7 @@ class _Simulation:
             f"radius = {unit.radius:.5f}",
             f"gradient = {unit.gradient:.5f}",
         ]
-        lines += [f"leg_length = {unit.leg_length:.5f}"]
+        lines += [f"leg_length = {unit.leg_length:.5f}", f'opening = "{unit.opening}"']
         for time in self.times:
             label = _label(time)
             lines += ["", "[[epoch]]", f'label = "{label}"', f"time = {time:%Y-%m-%dT%H:%M:%SZ}", f'tiles = "tiles/{label}/*.laz"']
@@ -545,19 +548,33 @@ def _write_csv(path: Path, header: str, rows: Iterable[Iterable[object]]) -> Non
         writer.writerows(rows)
 
 
-def example_plans() -> dict[str, SimulationPlan]:
-    """Ready plans by name: one of each instrument, and a coast without units."""
-    uav = SimulationPlan("uav", crs="EPSG:5186", las_crs="EPSG:5186+5193", origin=(236480.0, 285120.0, 0.0), seed=11)
-    return {
-        "uav": uav,
-        "tls": SimulationPlan(
-            "tls", "tls", 58, 2.6, crs="EPSG:32652", origin=(523170.0, 3884610.0, 0.0), azimuth_deg=287, tiles=(3, 1), seed=12
-        ),
-        "photogrammetry": SimulationPlan(
-            "photogrammetry", "photogrammetry", 70, 2.9, crs="EPSG:2154", origin=(1176200.0, 6105300.0, 0.0), seed=13
-        ),
-        "laboratory": SimulationPlan(
-            "laboratory", "depth_camera", 4, 0.105, crs="LOCAL", origin=(1.0, 1.8, 0.75), azimuth_deg=0, tiles=(2, 1), seed=14
-        ),
-        "rock": replace(uav, name="rock", units=0, epochs=1, seed=15),
-    }
+def plan_of(
+    instrument: str,
+    name: str,
+    unit: UnitType | None = None,
+    *,
+    units: int | None = None,
+    epochs: int = 2,
+    seed: int = 0,
+    density: float | None = None,
+    noise: float | None = None,
+    crs: str = SimulationPlan.crs,
+) -> SimulationPlan:
+    """Plan for one instrument with a place and numbers that suit it: a breakwater, or models on a table for the depth camera.
+
+    Raises
+    ------
+    InputError
+        Something cannot be simulated; it names the field.
+    """
+    if instrument not in INSTRUMENTS:
+        raise InputError(f"instrument {instrument!r} is not known", where="instrument", remedy=f"Use one of: {', '.join(INSTRUMENTS)}.")
+    laboratory = SimulationPlan(
+        name, "depth_camera", 4, 0.105, crs="LOCAL", origin=(1.0, 1.8, 0.75), azimuth_deg=0.0, tiles=(2, 1), first_day=date(2025, 2, 10)
+    )
+    base = laboratory if instrument == "depth_camera" else SimulationPlan(name, instrument, crs=crs)
+    if unit is not None:
+        base = replace(
+            base, height=unit.height, radius=unit.radius, gradient=unit.gradient, leg_length=unit.leg_length, opening=unit.opening
+        )
+    return replace(base, units=base.units if units is None else units, epochs=epochs, seed=seed, density=density, noise=noise)

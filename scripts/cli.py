@@ -185,12 +185,13 @@ def simulate(
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder to make", show_default=False)],
     instrument: Annotated[str, typer.Option("--instrument", help="uav, tls, photogrammetry or depth_camera")] = "uav",
     name: Annotated[str, typer.Option("--name", help="Name of the survey")] = "simulated",
-    units: Annotated[int, typer.Option("--units", min=0, help="Units of the first epoch")] = 75,
+    units: Annotated[int | None, typer.Option("--units", min=0, help="Units of the first epoch (75; 4 models in the laboratory)")] = None,
     epochs: Annotated[int, typer.Option("--epochs", min=1, help="Number of epochs")] = 2,
     density: Annotated[float | None, typer.Option("--density", min=0, help="Points per m2; default and 0: the instrument's own")] = None,
     noise: Annotated[
         float | None, typer.Option("--noise", min=0, help="Range noise in metres; default and 0: the instrument's own")
     ] = None,
+    crs: Annotated[str, typer.Option("--crs", help="Projected CRS of the site; the laboratory is LOCAL")] = "EPSG:32650",
     unit: UnitName = "tetrapod",
     height: Height = None,
     radius: Radius = None,
@@ -206,20 +207,15 @@ def simulate(
     """Simulate a survey of a pile of units, with ground truth."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.virtual_survey import SurveyPlan, simulate_survey
+        from ..core.virtual_survey import plan_of, simulate_survey
 
-        shape = _unit(unit, height or (None if unit.strip().lower() != "tetrapod" else 2.3), radius, gradient, leg_length, opening)
-        plan = SurveyPlan(
-            name,
-            instrument,  # type: ignore[arg-type]  # checked there
-            units,
-            shape.height,
-            epochs,
-            seed,
-            density or None,
-            noise or None,
-            radius=radius,
-            gradient=gradient,
+        nominal = (
+            None
+            if height is None and opening == "tetrahedral" and unit.strip().lower() == "tetrapod"
+            else _unit(unit, height, radius, gradient, leg_length, opening)
+        )
+        plan = plan_of(
+            instrument, name, nominal, units=units, epochs=epochs, seed=seed, density=density or None, noise=noise or None, crs=crs
         )
         return {"survey": str(simulate_survey(plan, output, feedback.progress))}
 
