@@ -501,9 +501,9 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
 
 def check_tables(survey: Survey, points: Sequence[Mapping[str, Any]], feedback: Feedback) -> tuple[list[dict[str, Any]], float | None]:
     """Rows of ``check_residuals`` of all epochs that have check points, and their root mean square length in metres."""
-    from .validation import check_residuals, checked_displacements, read_check, residual_rows, summarise
+    from .validation import CheckResidual, check_residuals, checked_displacements, read_check, residual_rows, summarise
 
-    residuals = []
+    residuals: list[CheckResidual] = []
     for epoch in survey.epochs:
         if epoch.check is None:
             continue
