@@ -25,7 +25,7 @@ from .block_jobs import GRADIENT_TOLERANCE, RADIUS_TOLERANCE, FitJob, SegmentJob
 from .crs import LOCAL
 from .errors import Cancelled, InputError, OutputError
 from .feature_points import FEATURES
-from .geopackage import check_output, from_upper_triangle, replace_durably, temporary_beside, write_geopackage
+from .geopackage import check_output, from_upper_triangle, replace_durably, write_geopackage
 from .pose import Pose
 from .result_rows import (
     EpochPlan,
@@ -371,13 +371,15 @@ def write_tile_index(path: Path, tiles: Sequence[TileInfo]) -> None:
         geometry=[shapely.box(tile.low[0], tile.low[1], tile.high[0], tile.high[1]) for tile in tiles],
         crs=next((tile.crs for tile in tiles if tile.crs not in ("", "LOCAL")), None),
     )
-    with temporary_beside(path.absolute()) as temporary:
-        temporary.unlink()
-        try:
+    target = path.absolute()
+    try:
+        # GDAL warns of a GeoPackage whose name does not end in .gpkg
+        with tempfile.TemporaryDirectory(prefix=".tetratrack-", dir=target.parent) as folder:
+            temporary = Path(folder) / "tiles.gpkg"
             frame.to_file(temporary, layer="tiles", driver="GPKG", engine="pyogrio")
-        except (DataSourceError, OSError) as error:
-            raise OutputError("cannot be written", source=path, remedy="Check the folder's permissions and free space.") from error
-        replace_durably(temporary, path.absolute())
+            replace_durably(temporary, target)
+    except (DataSourceError, OSError) as error:
+        raise OutputError("cannot be written", source=path, remedy="Check the folder's permissions and free space.") from error
 
 
 def run_register(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
@@ -465,7 +467,11 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
     check_output(output)
     start = SHARES["read"]
     plans = plan_survey(survey, feedback.part(0, start))
-    record = record_run(survey, options.seed, {"step": "run", "unit": [repr(unit) for unit in survey.units]})
+    record = record_run(
+        survey,
+        options.seed,
+        {"step": "run", "survey": survey.name, "unit": [repr(unit) for unit in survey.units], "leg_length": survey.unit.leg_length},
+    )
     registrations = register_epochs(survey, feedback)
     with job_runner(output, options, feedback) as runner:
         found = segment_epochs(survey, plans, record, runner, feedback.part(start, start := start + SHARES["segment"]))

@@ -1,0 +1,145 @@
+"""Blocks and jobs: independent of tiling, finished work kept, workers that die replaced."""
+
+from __future__ import annotations
+
+import os
+import signal
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tetratrack.core.block_jobs import owners
+from tetratrack.core.errors import Cancelled, InputError, OutputError, TetratrackError
+from tetratrack.core.tile_jobs import JobRunner, job_key, load_arrays, plan_blocks, save_arrays
+from tetratrack.core.tiles import TileInfo, Window
+
+
+def _tile(name: str, low: tuple[float, float], high: tuple[float, float], points: int = 1000) -> TileInfo:
+    return TileInfo(Path(name), points, (*low, 0.0), (*high, 5.0), "1.4", 6, True, False, "", True, 1, "")
+
+
+@dataclass(frozen=True)
+class Square:
+    """Squares a number; ``trouble`` names what goes wrong the first time."""
+
+    number: float
+    folder: str = ""
+    trouble: str = ""
+
+    @property
+    def name(self) -> str:
+        return f"square-{self.number:g}.npz"
+
+    def run(self) -> dict:
+        mark = Path(self.folder) / f"tried-{self.number:g}"
+        first = not mark.exists()
+        if self.folder:
+            mark.touch()
+        if self.trouble == "refuse":
+            raise InputError("is wrong", source="tile.laz", where="line 1", remedy="Mend it.")
+        if self.trouble == "die" and first:
+            os.kill(os.getpid(), signal.SIGKILL)
+        if self.trouble == "always die":
+            os.kill(os.getpid(), signal.SIGKILL)
+        return {"square": np.array(self.number**2)}
+
+
+def _squares(paths: list[Path]) -> list[float]:
+    return [float(load_arrays(path)["square"]) for path in paths]
+
+
+def test_blocks_cover_every_point_once_whatever_the_tiling() -> None:
+    whole = [_tile("whole", (0, 0), (200, 30), 4000)]
+    halves = [_tile("left", (0, 0), (99.9, 30), 2500), _tile("right", (100, 2), (200, 30), 1500)]
+    cores = [{b.core for b in plan_blocks("a", tiles, 2.0)} for tiles in (whole, halves)]
+    assert cores[0] == cores[1]
+    assert len(cores[0]) == 5
+    rng = np.random.default_rng(0)
+    points = np.vstack([rng.uniform((0, 0), (200, 30), (500, 2)), [[0, 0], [200, 30], [40, 30]]])
+    inside = sum(core.contains(points).astype(int) for core in cores[0])
+    assert (inside == 1).all()
+    for block in plan_blocks("a", halves, 2.0):
+        names = {tile.path.name for tile in block.tiles}
+        assert ("left" in names) == (block.core.west - 5 < 99.9)
+
+
+def test_blocks_are_smaller_where_points_are_many() -> None:
+    few = plan_blocks("a", [_tile("t", (0, 0), (40, 40), 10_000)], 2.0)
+    many = plan_blocks("a", [_tile("t", (0, 0), (40, 40), 30_000_000)], 2.0)
+    assert len(few) == 1
+    assert len(many) >= 10
+
+
+def test_keys_depend_on_everything_but_order() -> None:
+    key = job_key("a", {"x": 1}, ["s1", "s2"])
+    assert key == job_key("a", {"x": 1}, ["s2", "s1"])
+    assert len({key, job_key("b", {"x": 1}, ["s1", "s2"]), job_key("a", {"x": 2}, ["s1", "s2"]), job_key("a", {"x": 1}, ["s1"])}) == 4
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_results_come_in_the_order_of_the_jobs_and_are_kept(tmp_path: Path, workers: int) -> None:
+    jobs = [Square(n, str(tmp_path)) for n in (3, 1, 2)]
+    seen: list[tuple[int, int]] = []
+    runner = JobRunner(tmp_path, workers)
+    assert _squares(runner.run(jobs, lambda done, total: seen.append((done, total)))) == [9, 1, 4]
+    assert seen == [(0, 3), (1, 3), (2, 3), (3, 3)]
+    for mark in tmp_path.glob("tried-*"):
+        mark.unlink()
+    (tmp_path / "square-2.npz").write_bytes(b"power was lost here")
+    assert _squares(runner.run(jobs)) == [9, 1, 4]
+    assert [p.name for p in tmp_path.glob("tried-*")] == ["tried-2"]
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_an_error_of_a_job_arrives_whole(tmp_path: Path, workers: int) -> None:
+    with pytest.raises(InputError, match=r"tile.laz, line 1: is wrong. Mend it.") as caught:
+        JobRunner(tmp_path, workers).run([Square(1), Square(2, trouble="refuse")])
+    assert caught.value.where == "line 1"
+
+
+def test_a_worker_that_is_killed_is_replaced(tmp_path: Path) -> None:
+    jobs = [Square(1, str(tmp_path)), Square(2, str(tmp_path), "die"), Square(3, str(tmp_path))]
+    assert _squares(JobRunner(tmp_path, 2).run(jobs)) == [1, 4, 9]
+
+
+def test_a_job_that_always_kills_its_worker_ends_the_run(tmp_path: Path) -> None:
+    with pytest.raises(TetratrackError, match="ended from outside 3 times"):
+        JobRunner(tmp_path, 2).run([Square(1), Square(2, trouble="always die")])
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_cancel(tmp_path: Path, workers: int) -> None:
+    with pytest.raises(Cancelled):
+        JobRunner(tmp_path, workers, is_cancelled=lambda: True).run([Square(n) for n in range(5)])
+
+
+def test_environment_of_workers_is_put_back(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OMP_NUM_THREADS", "7")
+    monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
+    JobRunner(tmp_path, 2).run([Square(1), Square(2)])
+    assert os.environ["OMP_NUM_THREADS"] == "7"
+    assert "MKL_NUM_THREADS" not in os.environ
+
+
+def test_arrays_that_cannot_be_saved(tmp_path: Path) -> None:
+    with pytest.raises(OutputError, match="cannot be written"):
+        save_arrays(tmp_path / "none" / "a.npz", {"x": np.zeros(3)})
+    assert load_arrays(tmp_path / "none.npz") is None
+
+
+def _found(places: list[tuple[float, float]], scores: list[float]) -> dict:
+    poses = np.zeros((len(places), 12))
+    poses[:, :2] = np.reshape(places, (-1, 2))
+    return {"poses": poses, "origin": np.array([1000.0, 2000.0, 0.0]), "type": np.zeros(len(places), int), "score": np.array(scores)}
+
+
+def test_a_unit_on_the_edge_of_two_blocks_is_kept_once() -> None:
+    left = (Window(1000, 2000, 1010, 2010), _found([(5, 5), (9.9, 5), (10.2, 8)], [0.9, 0.8, 0.7]))
+    right = (Window(1010, 2000, 1020, 2010), _found([(10.1, 5.1), (15, 5)], [0.95, 0.9]))
+    # 9.9 and 10.1 are one unit, each in its own block: the better one stays; the unit at 10.2 was found by the left block alone
+    kept = owners([left, right], [2.0])
+    assert [k.tolist() for k in kept] == [[0, 2], [0, 1]]
+    assert [k.tolist() for k in owners([], [2.0])] == []
+    empty = (Window(0, 0, 1, 1), _found([], []))
+    assert [k.tolist() for k in owners([empty], [2.0])] == [[]]
