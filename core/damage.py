@@ -16,13 +16,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from .displacement_rows import UnitRow
 from .errors import InputError
+from .outline import VOLUME_RATIO
 
 FloatArray = NDArray[np.float64]
 
 THRESHOLDS = (0.05, 0.10)
 """Displacements in metres at which instability is commonly flagged (paper 4.1)."""
-VOLUME_RATIO = 0.280
-"""Volume of a standard tetrapod over H^3 (Shore Protection Manual, 1984)."""
 
 
 @dataclass(frozen=True)

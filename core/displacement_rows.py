@@ -48,6 +48,8 @@ class UnitRow:
         Share of the surface that holds points, the smaller of the two epochs.
     height
         Nominal height H, metres.
+    detectable
+        Displacement the run would have found with a probability of 80 %, metres.
     """
 
     unit_id: str
@@ -63,6 +65,7 @@ class UnitRow:
     significant: bool
     coverage: float | None
     height: float | None
+    detectable: float | None = None
 
     @property
     def vertical(self) -> float | None:
@@ -76,7 +79,9 @@ class UnitRow:
 
     @property
     def detection_limit(self) -> float | None:
-        """Displacement in metres that the 95 % test calls significant whatever its direction."""
+        """Displacement in metres that is found in any direction: as the run states it, or by the 95 % test of the standard deviations."""
+        if self.detectable is not None:
+            return self.detectable
         return None if self.sd is None else float(math.sqrt(CHI2_3_95) * np.max(self.sd))
 
 
@@ -231,6 +236,12 @@ def shape_of(row: Row, leg_length: float | None = None) -> PlacedShape | None:
     return PlacedShape(row["geom"], rotation, float(row["r0"]), float(row["gradient"]), float(length), TETRAHEDRAL_LEGS)
 
 
+def leg_length_of(epochs: Sequence[EpochInfo]) -> float | None:
+    """Centre to end disc in metres as the run's settings state it; None where they do not."""
+    values = (epoch.settings.get("leg_length") for epoch in epochs)
+    return next((float(value) for value in values if isinstance(value, (int, float))), None)
+
+
 def series(details: UnitDetails, epochs: Sequence[EpochInfo], datum: str, feature: str = "centre") -> list[SeriesPoint]:
     """Displacement of a feature since the unit's first epoch.
 
@@ -317,6 +328,7 @@ def _unit_row(unit: str, moved: Row | None, early: Row | None, late: Row | None)
         bool(moved["significant"]),
         least,
         height,
+        moved.get("detectable"),
     )
 
 

@@ -23,6 +23,8 @@ TETRAHEDRAL_LEGS: FloatArray = np.array(
     ]
 )
 TETRAHEDRAL_LEGS.setflags(write=False)
+VOLUME_RATIO = 0.280
+"""Volume of a standard tetrapod over H^3 (Shore Protection Manual, 1984)."""
 LEG_LENGTH_RATIO = 0.644
 """Centre to end disc as a fraction of H (Shore Protection Manual), where the result does not say otherwise."""
 

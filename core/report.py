@@ -23,6 +23,7 @@ from .displacement_rows import (
     UnitDetails,
     UnitRow,
     check_comparisons,
+    leg_length_of,
     read_details,
     read_epochs,
     read_unit_rows,
@@ -126,6 +127,7 @@ class ReportData:
     missing: int
     damage: Damage | None
     control: tuple[Row, ...]
+    test: Row | None
     checks: tuple[CheckLine, ...]
     worst: tuple[WorstUnit, ...]
     counts: Mapping[str, int]
@@ -177,7 +179,7 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
     rejected = frozenset(unit for unit, review in reviews.items() if review.decision == "rejected")
     epochs = read_epochs(result)
     settings = epochs[-1].settings if epochs else {}
-    length = _leg_length(settings)
+    length = leg_length_of(epochs)
     shapes: dict[str, PlacedShape] = {}
     for row in read_layer_rows(result, "units"):
         shape = shape_of(row, length)
@@ -195,8 +197,9 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
             shares = [s.counts[tenth] / s.units for s in harm.sections]
             first = harm.sections[0]
             drawn["sections"] = figures.section_chart([s.start for s in harm.sections], shares, first.stop - first.start, translate)
+    key = (pair.epoch_from, pair.epoch_to)
     return ReportData(
-        str(settings.get("name") or result.stem),
+        str(settings.get("survey") or result.stem),
         _crs_name(result),
         pair,
         datum,
@@ -208,6 +211,7 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
         len(placeholders(result, pair.epoch_to)),
         harm,
         control,
+        next((row for row in read_layer_rows(result, "epoch_pairs") if (row["epoch_from"], row["epoch_to"]) == key), None),
         tuple(_check_lines(result, pair)),
         tuple(_worst(result, rows, rejected, reviews, pair, datum, epochs, length, options.worst, translate)),
         {kind: sum(row.kind == kind for row in rows if row.unit_id not in rejected) for kind in figures.CLASS_COLOURS},
@@ -347,12 +351,6 @@ def _views(details: UnitDetails, pair: EpochPair, index: PointIndex | None, tran
     none = np.empty((0, 3))
     points = (none, none) if index is None else (index.read(labels[0], middle, half), index.read(labels[1], middle, half))
     return figures.unit_views(shapes, points, labels, translate)
-
-
-def _leg_length(settings: Mapping[str, Any]) -> float | None:
-    unit = settings.get("unit")
-    value = unit.get("leg_length") if isinstance(unit, dict) else None
-    return float(value) if isinstance(value, (int, float)) else None
 
 
 def _crs_name(result: Path) -> str:

@@ -222,7 +222,7 @@ def unit_series(series: dict[str, list[SeriesPoint]], limit: float | None, _: Tr
         axes.fill_between(times, np.maximum(lengths - half, 0), lengths + half, color=colour, alpha=0.12, linewidth=0)
         axes.plot(times, lengths, ".-", color=colour, linewidth=1.6 if name == "centre" else 0.8, label=_(name))
     if limit is not None:
-        axes.axhline(100 * limit, color="#C0392B", linewidth=0.8, linestyle="--", label=_("detection limit 95 %"))
+        axes.axhline(100 * limit, color="#C0392B", linewidth=0.8, linestyle="--", label=_("detection limit"))
     first = next(iter(series.values()))
     ticks: Any = [point.time or k for k, point in enumerate(first)]
     axes.set_xticks(ticks, [point.epoch for point in first], fontsize=6, rotation=20, ha="right")

@@ -35,6 +35,7 @@ SELECT_ALL: Mapping[str, str] = {
     "control_residuals": "SELECT * FROM control_residuals",
     "check_residuals": "SELECT * FROM check_residuals",
     "epochs": "SELECT * FROM epochs",
+    "epoch_pairs": "SELECT * FROM epoch_pairs",
     "reviews": "SELECT * FROM reviews",
     "review_log": "SELECT * FROM review_log ORDER BY number",
     "manual_picks": "SELECT * FROM manual_picks",

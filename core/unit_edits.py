@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .errors import InputError
-from .outline import TETRAHEDRAL_LEGS, rotation_of_quaternion
+from .outline import TETRAHEDRAL_LEGS, VOLUME_RATIO, rotation_of_quaternion
 from .result_tables import Row, connect, decode_geometry, encode_line, encode_point, now_utc, query, srs_of, table_names
 from .reviews import writing
 from .schema import FEATURES
@@ -40,6 +40,7 @@ SELECT_OF_UNIT = {
     "displacements": "SELECT * FROM displacements WHERE unit_id = ?",
     "displacements_other": "SELECT * FROM displacements_other WHERE unit_id = ?",
     "check_residuals": "SELECT * FROM check_residuals WHERE unit_id = ?",
+    "velocities": "SELECT * FROM velocities WHERE unit_id = ?",
 }
 DELETE_ROW = {
     "units": "DELETE FROM units WHERE fid = ?",
@@ -47,6 +48,7 @@ DELETE_ROW = {
     "displacements": "DELETE FROM displacements WHERE fid = ?",
     "displacements_other": "DELETE FROM displacements_other WHERE fid = ?",
     "check_residuals": "DELETE FROM check_residuals WHERE fid = ?",
+    "velocities": "DELETE FROM velocities WHERE fid = ?",
 }
 RENAME_ROW = {
     "units": "UPDATE units SET unit_id = ? WHERE fid = ?",
@@ -243,6 +245,7 @@ def merge_units(path: Path, keep: str, other: str, *, editor: str, comment: str 
             "UPDATE units SET status = 'found' WHERE unit_id = ? AND status IN ('new', 'relocated') AND geom IS NOT NULL", (keep,)
         )
         added = _connect_epochs(connection, keep, found[0], found[1])
+        _drop_velocities(connection, kept, gone)
         _log(
             connection,
             "merge",
@@ -285,6 +288,7 @@ def split_unit(path: Path, unit_id: str, epoch: str, *, editor: str, comment: st
             connection.executemany(RENAME_ROW[layer], [(name, row["fid"]) for row in inside])
         first = min(found & later, key=lambda label: times[label])
         connection.execute("UPDATE units SET status = 'new' WHERE unit_id = ? AND epoch = ?", (name, first))
+        _drop_velocities(connection, before)
         _log(connection, "split", unit_id, epoch, place, comment, editor, {"changed": before, "name": name})
         return name
 
@@ -320,6 +324,7 @@ def set_pose(path: Path, unit_id: str, epoch: str, pose: NewPose, *, editor: str
             _carry_displacements(connection, before, epoch, old, pose)
         else:
             added = _connect_epochs(connection, unit_id, found, {epoch})
+        _drop_velocities(connection, before)
         _log(connection, "pose", unit_id, epoch, place, comment, editor, {"changed": before, "added": added})
 
 
@@ -515,7 +520,7 @@ def _carry_displacements(connection: sqlite3.Connection, before: dict[str, list[
                 max((row["sd_rotation_deg"] or 0) ** 2 - (old["sd_rotation_deg"] or 0) ** 2, 0) + pose.sd_rotation_deg**2
             )
             critical = _critical_p(connection, layer, row)
-            values = _measures(vector, np.sqrt(rest + _sd(b) ** 2), start, srs_of(connection), row["class"], critical)
+            values = _measures(vector, np.sqrt(rest + _sd(b) ** 2), start, srs_of(connection), row["class"], critical, pose.height)
             values |= {"rotation_deg": _turn(rotations, row["epoch_from"], row["epoch_to"]), "sd_rotation_deg": sd_rotation}
             full = _raw(connection, layer, row["fid"]) | values
             connection.execute(DELETE_ROW[layer], (row["fid"],))
@@ -531,6 +536,8 @@ def _connect_epochs(connection: sqlite3.Connection, unit_id: str, first: set[str
     points = query(connection, "SELECT * FROM feature_points WHERE unit_id = ?", (unit_id,))
     places = {(row["epoch"], row["feature"]): row for row in points}
     rotations = _rotations(connection, unit_id)
+    heights = query(connection, "SELECT height FROM units WHERE unit_id = ? AND height IS NOT NULL LIMIT 1", (unit_id,))
+    height = float(heights[0]["height"]) if heights else math.nan
     added: dict[str, list[int]] = {}
     for layer in ("displacements", "displacements_other"):
         if layer not in _tables(connection):
@@ -552,7 +559,7 @@ def _connect_epochs(connection: sqlite3.Connection, unit_id: str, first: set[str
                 vector = b["geom"] - a["geom"] + shift
                 sd = np.sqrt(_sd(a) ** 2 + _sd(b) ** 2 + common)
                 row: Row = {**pair, "unit_id": unit_id, "feature": feature}
-                row |= _measures(vector, sd, a["geom"], srs_of(connection), "stable", critical)
+                row |= _measures(vector, sd, a["geom"], srs_of(connection), "stable", critical, height)
                 row |= {"rotation_deg": _turn(rotations, *ends), "sd_rotation_deg": None}
                 added.setdefault(layer, []).append(_insert(connection, layer, row))
     return added
@@ -587,7 +594,7 @@ def _critical_p(connection: sqlite3.Connection, layer: str, pair: Row) -> float:
     return 0.05 if found is None else float(found)
 
 
-def _measures(vector: FloatArray, sd: FloatArray, start: FloatArray, srs: int, kind: str, critical: float) -> Row:
+def _measures(vector: FloatArray, sd: FloatArray, start: FloatArray, srs: int, kind: str, critical: float, height: float) -> Row:
     statistic = float(np.sum((vector / sd) ** 2)) if np.all(sd > 0) else None
     p = None if statistic is None else chi2_3_survival(statistic)
     significant = p is not None and p <= critical
@@ -608,7 +615,18 @@ def _measures(vector: FloatArray, sd: FloatArray, start: FloatArray, srs: int, k
         "p_value": p,
         "significant": int(significant),
         "class": kind,
+        "d_over_h": float(np.linalg.norm(vector)) / height,
+        "d_over_dn": float(np.linalg.norm(vector)) / (VOLUME_RATIO ** (1 / 3) * height),
+        # what rests on all units of the pair is the run's to say
+        "p_adjusted": None,
+        "detectable": None,
+        "grade": None,
     }
+
+
+def _drop_velocities(connection: sqlite3.Connection, *before: dict[str, list[Row]]) -> None:
+    """Velocities over all epochs no longer hold once one epoch changed; the next run computes them again."""
+    connection.executemany(DELETE_ROW["velocities"], [(row["fid"],) for rows in before for row in rows.get("velocities", [])])
 
 
 def _features(centre: FloatArray, rotation: FloatArray, radius: float, gradient: float) -> dict[str, FloatArray]:
@@ -687,6 +705,7 @@ def _raw(connection: sqlite3.Connection, layer: str, fid: int) -> Row:
         "displacements": "SELECT * FROM displacements WHERE fid = ?",
         "displacements_other": "SELECT * FROM displacements_other WHERE fid = ?",
         "check_residuals": "SELECT * FROM check_residuals WHERE fid = ?",
+        "velocities": "SELECT * FROM velocities WHERE fid = ?",
     }
     row = connection.execute(statements[layer], (fid,)).fetchone()
     return dict(row)

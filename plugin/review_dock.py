@@ -43,6 +43,7 @@ from qgis.PyQt.QtWidgets import (
 from ..core.alarms import write_alarms
 from ..core.displacement_rows import CheckComparison, check_comparisons, series
 from ..core.errors import TetratrackError
+from ..core.outline import LEG_LENGTH_RATIO, VOLUME_RATIO
 from ..core.reviews import Decision
 from ..core.schema import CLASSES, FEATURES
 from ..core.unit_edits import (
@@ -547,9 +548,9 @@ class ReviewDock(QgsDockWidget):
 
         if row.vector is not None and row.sd is not None:
             height = row.height or math.nan
-            volume = 0.28 * height**3
+            diameter = VOLUME_RATIO ** (1 / 3) * height
             line(tr("3D displacement"), f"{lengths.text(row.d_3d)} ± {lengths.number(row.sd_3d)}")
-            line(tr("in heights H, in Dn"), f"{row.d_3d / height:.3f} H, {row.d_3d / volume ** (1 / 3):.3f} Dn")
+            line(tr("in heights H, in Dn"), f"{row.d_3d / height:.3f} H, {row.d_3d / diameter:.3f} Dn")
             for name, k in ((tr("Easting"), 0), (tr("Northing"), 1), (tr("Height"), 2)):
                 line(name, f"{row.vector[k] * lengths.factor:+.{lengths.decimals}f} {lengths.suffix} ± {lengths.number(row.sd[k])}")
             line(tr("Horizontal"), lengths.text(row.d_horizontal))
@@ -561,7 +562,7 @@ class ReviewDock(QgsDockWidget):
             if row.p_value is not None:
                 verdict = tr("significant") if row.significant else tr("not significant")
                 line(tr("Test against no motion"), f"p = {row.p_value:.4f}, {verdict}")
-            line(tr("Detection limit 95 %"), lengths.text(row.detection_limit))
+            line(tr("Detection limit"), lengths.text(row.detection_limit))
         else:
             line(tr("Displacement"), tr("none: one of the two positions is not known"))
         for name, key, form in (
@@ -848,7 +849,7 @@ class ReviewDock(QgsDockWidget):
         sd = self._pick_sd(epoch, shape.centre)
         # three picks of equal precision: the mean holds the centre, their distance from it the rotation
         turn = math.degrees(sd * math.sqrt(3) / float(np.linalg.norm(picking.points[0] - centre)))
-        height = self.store.row(unit).height or shape.leg_length / 0.644
+        height = self.store.row(unit).height or shape.leg_length / LEG_LENGTH_RATIO
         pose = NewPose(centre, rotation, shape.radius, shape.gradient, height, np.full(3, sd), turn)
         set_pose(self.store.path, unit, epoch, pose, editor=self.reviewer.text(), comment=tr("pinned by three joints"))
         store_picks(self.store.path, unit, epoch, dict(zip(names, picking.points, strict=True)), editor=self.reviewer.text())

@@ -455,9 +455,7 @@ class SeriesView(QWidget):
             painter.drawLine(QPointF(x, y - metrics.ascent() / 3), QPointF(x + 14, y - metrics.ascent() / 3))
             painter.setPen(ink)
             room = int(self.width() - x - 18 - MARGIN)
-            painter.drawText(
-                QPointF(x + 18, y), self.fontMetrics().elidedText(tr("detection limit 95 %"), Qt.TextElideMode.ElideRight, room)
-            )
+            painter.drawText(QPointF(x + 18, y), self.fontMetrics().elidedText(tr("detection limit"), Qt.TextElideMode.ElideRight, room))
 
     def _draw_epochs(self, painter: QPainter, area: QRectF, places: dict[str, float], metrics: QFontMetricsF) -> None:
         free = -1e9

@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.displacement_rows import EpochInfo, UnitDetails, UnitRow, datums, read_details, read_epochs, read_unit_rows
+from ..core.displacement_rows import EpochInfo, UnitDetails, UnitRow, datums, leg_length_of, read_details, read_epochs, read_unit_rows
 from ..core.errors import InputError, OutputError
 from ..core.result_tables import EpochPair, epoch_pairs
 from ..core.reviews import Decision, Review, ReviewEvent, confirm, decide, is_writable, prepare, read_history, read_reviews, undo
@@ -146,11 +146,7 @@ class ReviewStore:
     @property
     def leg_length(self) -> float | None:
         """Centre to end disc in metres as the run's settings state it."""
-        for epoch in self.epochs:
-            unit = epoch.settings.get("unit")
-            if isinstance(unit, dict) and isinstance(unit.get("leg_length"), (int, float)):
-                return float(unit["leg_length"])
-        return None
+        return leg_length_of(self.epochs)
 
     # order and filter
 

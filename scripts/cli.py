@@ -12,6 +12,7 @@ import typer
 from .console import Console, execute
 
 if TYPE_CHECKING:
+    from ..core.result_tables import EpochPair
     from ..core.unit_types import UnitType
     from ..core.workflow import Feedback
 
@@ -33,6 +34,9 @@ Seed = Annotated[int, typer.Option("--seed", help="Seed of the random draws")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but the result and errors")]
 LogFile = Annotated[Path | None, typer.Option("--log-file", help="Append every line with its time to this file")]
 JsonProgress = Annotated[bool, typer.Option("--json-progress", help="One JSON object a line on standard output, for other programs")]
+EpochFrom = Annotated[str | None, typer.Option("--from", help="Earlier epoch; by default of the last pair")]
+EpochTo = Annotated[str | None, typer.Option("--to", help="Later epoch")]
+Datum = Annotated[str | None, typer.Option("--datum", help="stable or control; by default the result's")]
 UnitName = Annotated[str, typer.Option("--unit", help='Type of unit, "tetrapod" or e.g. "tetrapod 8 t"')]
 Height = Annotated[float | None, typer.Option("--height", min=1e-6, help="Nominal height H, metres")]
 Radius = Annotated[float | None, typer.Option("--radius", min=1e-6, help="Leg cone radius at the unit's centre, metres")]
@@ -293,11 +297,117 @@ def relief(
 
 
 @app.command()
+def report(
+    result: ResultFile,
+    output: Annotated[Path, typer.Option("--output", "-o", help="File to write, .html or .pdf", show_default=False)],
+    epoch_from: EpochFrom = None,
+    epoch_to: EpochTo = None,
+    datum: Datum = None,
+    language: Annotated[str, typer.Option("--language", help="ja, ko, zh-Hans, fr, pt, es; otherwise English")] = "en",
+    axis: Annotated[str, typer.Option("--axis", help="Axis of the structure: easting,northing easting,northing ...")] = "",
+    width: Annotated[float | None, typer.Option("--width", help="Length of structure looked at, metres, for N_od")] = None,
+    section: Annotated[float | None, typer.Option("--section", help="Length of a section along the axis, metres")] = None,
+    worst: Annotated[int, typer.Option("--worst", min=0, help="Units shown one by one")] = 8,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Report of a reviewed result, as a web page or PDF."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.report import ReportOptions, parse_axis, write_report
+
+        line = parse_axis(axis) if axis else None
+        options = ReportOptions(_pair(epoch_from, epoch_to), datum, language, line, width, section, worst)
+        data = write_report(result, output, options)
+        return {"report": str(output), "units": len(data.kept), "rejected": len(data.rejected)}
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def alarms(
+    result: ResultFile,
+    output: Annotated[Path, typer.Option("--output", "-o", help="File to write, .csv or .geojson", show_default=False)],
+    threshold: Annotated[float, typer.Option("--threshold", min=0, help="3D displacement in metres above which a unit is listed")] = 0.10,
+    epoch_from: EpochFrom = None,
+    epoch_to: EpochTo = None,
+    datum: Datum = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """List of units over a threshold, lost and relocated ones included, rejected ones left out."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.alarms import write_alarms
+
+        count = write_alarms(result, output, threshold, pair=_pair(epoch_from, epoch_to), datum=datum)
+        return {"alarms": str(output), "units": count}
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command("unit-points")
+def unit_points(
+    survey: SurveyFile, result: ResultFile, quiet: Quiet = False, log_file: LogFile = None, json_progress: JsonProgress = False
+) -> None:
+    """Index the points around the units of a result, so that the review shows them at once."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.survey import read_survey
+        from ..core.unit_refit import index_unit_points
+
+        return index_unit_points(read_survey(survey), result, feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def refit(
+    result: ResultFile,
+    unit_id: Annotated[str, typer.Option("--unit", help="Unit to fit again", show_default=False)],
+    epoch: Annotated[str, typer.Option("--epoch", help="Epoch to fit it in", show_default=False)],
+    near: Annotated[str, typer.Option("--near", help="Place on the unit: easting,northing,height", show_default=False)],
+    editor: Annotated[str, typer.Option("--editor", help="Name stored beside the correction", show_default=False)],
+    seed: Seed = 0,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Fit one unit again at a place shown, from the points of unit-points, and correct the result."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.errors import InputError
+        from ..core.unit_refit import refit_unit
+
+        try:
+            e, n, h = (float(value) for value in near.split(","))
+        except ValueError as error:
+            raise InputError(f"--near {near!r} is not a place", remedy="Write it as easting,northing,height in metres.") from error
+        return refit_unit(result, unit_id, epoch, (e, n, h), editor=editor, seed=seed)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
 def template() -> None:
     """Print a survey.toml to fill in."""
     from ..core.survey import template as text
 
     typer.echo(text(), nl=False)
+
+
+def _pair(epoch_from: str | None, epoch_to: str | None) -> EpochPair | None:
+    """Epoch pair of two options, both or none."""
+    from ..core.errors import InputError
+    from ..core.result_tables import EpochPair
+
+    if epoch_from is None and epoch_to is None:
+        return None
+    if epoch_from is None or epoch_to is None:
+        raise InputError("an epoch pair needs --from and --to", remedy="Give both, or none for the last pair.")
+    return EpochPair(epoch_from, epoch_to)
 
 
 def _unit(

@@ -11,6 +11,7 @@ import sqlite3
 from contextlib import closing
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -87,16 +88,15 @@ def write_result(
                     for datum in ("stable", "control"):
                         layer = "displacements" if j == i + 1 and datum == "stable" else "displacements_other"
                         rows[layer] += [_displacement_row(unit, i, j, f, labels, stamps, datum) for f in range(5)]
+    for start, stop in pairwise(labels):
+        row = {"epoch_from": start, "epoch_to": stop, "units": len(made), "stable_units": int(0.8 * len(made)), "global_p_value": 0.43}
+        row |= {"common_e": 0.002, "common_n": 0.003, "common_h": -0.004, "common_p_value": 0.21, "geom": ORIGIN}
+        rows["epoch_pairs"].append(row)
     _control(rows, labels, rng)
     _check(rows, made, labels, rng)
     for e in range(epochs):
         transformation = {"parameters": [0.0] * 6 + [1.0], "covariance": np.zeros((7, 7)).tolist(), "origin": ORIGIN.tolist()}
-        settings = {
-            "crs": f"EPSG:{SRS}",
-            "name": "synthetic breakwater",
-            "significance": 0.05,
-            "unit": {"type": "tetrapod", "leg_length": LEG_LENGTH},
-        }
+        settings = {"crs": f"EPSG:{SRS}", "survey": "synthetic breakwater", "significance": 0.05, "leg_length": LEG_LENGTH}
         rows["epochs"].append(
             {
                 "label": labels[e],

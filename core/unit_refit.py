@@ -1,0 +1,165 @@
+"""Fit one unit of a finished result again, from the points around a place the user showed; index those points first."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.spatial.transform import Rotation
+
+from .control import Transformation
+from .displacement_rows import leg_length_of, read_epochs
+from .errors import InputError
+from .gauss_helmert import AdjustmentOptions, adjust
+from .pose import Pose
+from .result_tables import read_layer_rows
+from .segmentation import segment
+from .survey import Survey
+from .tiles import read_points
+from .unit_edits import NewPose, set_pose
+from .unit_points import PointIndex, index_folder, write_index
+from .unit_types import UnitType
+from .workflow import Feedback, plan_survey
+
+FloatArray = NDArray[np.float64]
+
+REACH_HEIGHTS = 1.6
+"""Points are kept this far from a unit's centre, in heights: the unit, its neighbours' near sides, and room for a motion of half H."""
+CLICK_HEIGHTS = 0.6
+"""A click on a unit lies at most this far from its centre, in heights (legs reach 0.644 H)."""
+
+
+def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[str, Any]:
+    """Write the index of points around the units of a result, in the control frame, beside it.
+
+    Raises
+    ------
+    InputError
+        Survey and result do not belong together, or a tile is damaged.
+    """
+    infos = {info.label: info for info in read_epochs(result)}
+    missing = [epoch.label for epoch in survey.epochs if epoch.label not in infos]
+    if missing:
+        raise InputError(f"has no epoch {missing[0]}", source=result, remedy="Give the survey.toml this result was computed from.")
+    centres = [row["geom"] for row in read_layer_rows(result, "units") if row["geom"] is not None]
+    height = max(unit.type.height for unit in survey.units)
+    plans = plan_survey(survey, feedback.part(0.0, 0.05))
+    count = sum(len(plan.tiles) for plan in plans)
+
+    def tiles() -> Iterator[tuple[str, str, FloatArray]]:
+        done = 0
+        for plan in plans:
+            transformation = transformation_of(infos[plan.epoch.label].transformation)
+            for tile in plan.tiles:
+                feedback.check()
+                feedback.progress(0.05 + 0.95 * done / count, f"reading {tile.path.name}")
+                cloud = read_points([tile], survey.crs, tiles_crs=plan.epoch.tiles_crs, is_cancelled=feedback.is_cancelled)
+                points = cloud.xyz + cloud.origin
+                yield plan.epoch.label, tile.path.name, points if transformation is None else transformation.apply(points)
+                done += 1
+
+    folder = index_folder(result)
+    kept = write_index(folder, tiles(), np.array(centres).reshape(-1, 3), REACH_HEIGHTS * height)
+    feedback.info(f"{kept} points around {len(centres)} positions of units")
+    return {"index": str(folder), "points": kept}
+
+
+def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, editor: str, seed: int = 0) -> dict[str, Any]:
+    """Find the unit at a place shown by the user, adjust it and put the new pose into the result.
+
+    The shape (radius, gradient) stays that of the unit's rows, as in the run.
+
+    Parameters
+    ----------
+    near
+        (3,) place on or in the unit, control frame, metres.
+
+    Raises
+    ------
+    InputError
+        There is no point index, no such unit, or no tetrapod is found at that place.
+    """
+    rows = [row for row in read_layer_rows(result, "units") if row["unit_id"] == unit_id]
+    if not rows:
+        raise InputError("there is no such unit", source=result, where=f"unit {unit_id}", remedy="Choose a unit of the result.")
+    epochs = read_epochs(result)
+    info = next((info for info in epochs if info.label == epoch), None)
+    if info is None:
+        raise InputError(f"has no epoch {epoch}", source=result, remedy=f"It has {', '.join(e.label for e in epochs)}.")
+    shape = next((row for row in rows if row["r0"] is not None and row["qw"] is not None), None)
+    if shape is None:
+        raise InputError(
+            "has no pose in any epoch to take its size from", source=result, where=f"unit {unit_id}", remedy="Choose another unit."
+        )
+    unit = UnitType.tetrapod(shape["height"], radius=shape["r0"], gradient=shape["gradient"], leg_length=leg_length_of(epochs))
+    place = np.asarray(near, dtype=np.float64)
+    points = PointIndex(index_folder(result)).read(epoch, place, REACH_HEIGHTS * unit.height) - place
+    found = segment(points, unit, seed=seed, workers=1)
+    distance = [float(np.linalg.norm(detected.pose.centre)) for detected in found.units]
+    if not distance or min(distance) > CLICK_HEIGHTS * unit.height:
+        raise InputError(
+            f"no tetrapod is found at that place among {len(points)} points",
+            where=f"unit {unit_id}, epoch {epoch}",
+            remedy="Click nearer to the unit's middle, or pin it by three joints.",
+        )
+    chosen = int(np.argmin(distance))
+    detected = found.units[chosen]
+    fitted = adjust(points[found.labels == chosen], unit, detected.pose, options=AdjustmentOptions(radius_sd=0.0, gradient_sd=0.0))
+    pose = fitted.pose.shifted(place)
+    covariance = fitted.covariance[:6, :6] + _registration_covariance(info.transformation, pose)
+    sd = np.sqrt(np.diag(covariance))
+    new = NewPose(
+        pose.centre,
+        pose.rotation,
+        fitted.radius,
+        fitted.gradient,
+        unit.height,
+        sd[:3],
+        math.degrees(float(np.linalg.norm(sd[3:]))),
+        fitted.sigma0,
+        int(np.sum(fitted.weights > 0)),
+        fitted.legs_visible,
+        detected.coverage,
+        detected.score,
+    )
+    set_pose(result, unit_id, epoch, new, editor=editor, comment="fitted again at a place shown by the user")
+    return {"unit_id": unit_id, "epoch": epoch, "n_points": new.n_points, "score": detected.score, "sigma0": fitted.sigma0}
+
+
+def transformation_of(record: Mapping[str, Any]) -> Transformation | None:
+    """Transformation from the record in layer ``epochs``; None where the cloud's own frame was kept.
+
+    Raises
+    ------
+    InputError
+        The record is incomplete.
+    """
+    if not record:
+        return None
+    try:
+        turn = Rotation.from_rotvec(np.asarray(record["rotation_vector_rad"], dtype=np.float64)).as_matrix()
+        return Transformation(
+            np.asarray(record["origin_from"], dtype=np.float64),
+            np.asarray(record["origin_to"], dtype=np.float64),
+            np.asarray(record["translation_m"], dtype=np.float64),
+            turn,
+            float(record["scale"]),
+            np.asarray(record["covariance"], dtype=np.float64),
+        )
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(f"layer epochs holds a transformation without {error}", remedy="Run tetratrack again.") from error
+
+
+def _registration_covariance(record: Mapping[str, Any], pose: Pose) -> FloatArray:
+    """(6, 6) covariance that the registration brings into a pose, parameters e, n, h and rotation vector."""
+    transformation = transformation_of(record)
+    if transformation is None:
+        return np.zeros((6, 6))
+    effect = np.zeros((6, 7))
+    effect[:3] = transformation.jacobian(pose.centre[None])[0]
+    effect[3:, 3:6] = np.eye(3)
+    return np.asarray(effect @ transformation.covariance @ effect.T)
