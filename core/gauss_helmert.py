@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numba import njit
@@ -54,13 +54,13 @@ TIP_RATIO = 0.87
 """Share of the leg up to which the cone of a real leg holds; its tip is rounded."""
 APPROACH_SAMPLE = 250
 """Points with which the adjustment comes near before it uses all."""
-CORRELATION_SAMPLE = 1500
+CORRELATION_SAMPLE = 2500
 """Points among which the correlation of residuals is looked for; all pairs are formed."""
-_LAGS = np.array([0.0, 0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16])
+_LAGS = np.array([0.0, 0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12])
 """Edges of the distance classes for that, as shares of the height."""
 _CORRELATION_LENGTHS = np.tile(np.geomspace(0.01, 0.12, 10), 2)
 _CORRELATION_EXPONENTS = np.repeat([1.0, 2.0], 10)
-_USUAL_CORRELATION = 16
+_USUAL_CORRELATION = 15
 
 
 @dataclass(frozen=True)
@@ -184,7 +184,7 @@ class Adjustment:
         return unit.with_shape(self.radius, self.gradient)
 
 
-_COMPILED = {"cache": True, "error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
+_COMPILED: dict[str, Any] = {"cache": True, "error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
 
 
 @njit(**_COMPILED)
@@ -997,9 +997,9 @@ class _Solver:
             if deviations[best] < 2.5:
                 # what is too weak to show its form is taken at the length of a mould's roughness, if at all
                 best = _USUAL_CORRELATION
-                if strengths[best] <= 0:
-                    return nothing
-            strength = min(float(strengths[best]), 1.0)
+            strength = min(float(strengths[best]), 1.0) - (0.3 / math.sqrt(float(information[best])) if best == _USUAL_CORRELATION else 0.0)
+            if strength <= 0:
+                return nothing
             length, exponent = float(_CORRELATION_LENGTHS[best]) * self.unit.height, float(_CORRELATION_EXPONENTS[best])
             pairs = np.zeros((12, 12))
             _pair_products(points[::skip], rows[::skip], length, exponent, length * (4.0 if exponent == 1 else 2.2), pairs)
