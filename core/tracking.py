@@ -17,6 +17,7 @@ from scipy.spatial import cKDTree
 
 from .congruence import Congruence, NullModel, calibrate, test_congruence
 from .control import Transformation, rigid_jacobian
+from .cross_check import CrossCheck, cross_check
 from .displacement import (
     SECONDS_PER_YEAR,
     UnitMotion,
@@ -152,6 +153,8 @@ class Tracking:
         All pairs of epochs.
     joint
         Joint adjustment with offsets of strips and stations.
+    cross_checks
+        (pair of epochs, physical unit) to direct registration of the unit's points, for consecutive epochs.
     velocities
         Physical unit to velocities by feature, for units seen in more than two epochs.
     shifts
@@ -162,6 +165,7 @@ class Tracking:
     units: tuple[dict[int, TrackedUnit], ...]
     pairs: tuple[EpochPair, ...]
     joint: JointAdjustment
+    cross_checks: dict[tuple[int, int, int], CrossCheck]
     velocities: dict[int, tuple[Velocity, ...]]
     shifts: FloatArray
 
@@ -201,8 +205,9 @@ def track(epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], surrounding
     joint, numbers = _adjust(seen)
     tracked = [_states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs)) for k in range(len(tracks))]
     pairs = tuple(_compare(a, b, epochs, units, tracks, tracked, joint, numbers) for a, b in combinations(range(len(epochs)), 2))
+    checks = _cross_checks(seen, joint, numbers, len(epochs))
     velocities = _velocities(epochs, units, tracks, tracked, pairs) if len(epochs) > 2 else {}
-    return Tracking(tuple(t.kind for t in tracks), tuple(tracked), pairs, joint, velocities, identities.shifts)
+    return Tracking(tuple(t.kind for t in tracks), tuple(tracked), pairs, joint, checks, velocities, identities.shifts)
 
 
 def _sighted(unit: FittedUnit, symmetry: FloatArray) -> FittedUnit:
@@ -406,6 +411,32 @@ def _compare(
         }
         results.append(PairMotion(k, motions[i], classes, {datum: float(adjusted[datum][i]) for datum in DATUMS}))
     return EpochPair(first, second, congruence, turn_null, tuple(results))
+
+
+def _cross_checks(
+    seen: Sequence[dict[int, FittedUnit]], joint: JointAdjustment, numbers: dict[tuple[int, int], int], epochs: int
+) -> dict[tuple[int, int, int], CrossCheck]:
+    """Displacements of all units between consecutive epochs by direct registration of their points."""
+    checks = {}
+    for first, second in zip(range(epochs - 1), range(1, epochs), strict=True):
+        noise = float(np.nanmax(joint.noise[[first, second]])) if len(joint.noise) > second else math.nan
+        for unit, own in enumerate(seen):
+            if first not in own or second not in own or not (own[first].certain or own[second].certain):
+                continue
+            a, b = numbers[unit, first], numbers[unit, second]
+            block = _joint_block(joint, unit, a, b)
+            difference = np.hstack([-np.eye(3), np.zeros((3, 3)), np.eye(3), np.zeros((3, 3))])
+            checks[first, second, unit] = cross_check(
+                _without_offsets(own[first], first, joint), _without_offsets(own[second], second, joint), joint.poses[a], joint.poses[b],
+                difference @ block @ difference.T, noise,
+            )  # fmt: skip
+    return checks
+
+
+def _without_offsets(unit: FittedUnit, epoch: int, joint: JointAdjustment) -> FloatArray:
+    """(n, 3) points less the offset of their strip or station."""
+    ids, place = np.unique(unit.sources, return_inverse=True)
+    return np.asarray(unit.points - np.array([joint.offsets[epoch, int(i)] for i in ids])[place])
 
 
 def _joint_block(joint: JointAdjustment, unit: int, first: int, second: int) -> FloatArray:

@@ -77,7 +77,15 @@ def displacement_rows(
             unit = units[tracking.kinds[motion.unit]]
             for datum in DATUMS:
                 rows = _motion_rows(
-                    names[motion.unit], pair, epochs, motion.motions[datum], motion.classes[datum], motion.adjusted[datum], datum, unit, options
+                    names[motion.unit],
+                    pair,
+                    epochs,
+                    motion.motions[datum],
+                    motion.classes[datum],
+                    motion.adjusted[datum],
+                    datum,
+                    unit,
+                    options,
                 )
                 (main if datum == "stable" and pair.second == pair.first + 1 else other).extend(rows)
     return main, other
@@ -159,6 +167,36 @@ def pair_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], origin: Sequen
                 "covariance_floor": test.null.floor,
                 "tail_degrees": test.null.tail,
                 "geometry": np.asarray(test.origin) + origin,
+            }
+        )
+    return rows
+
+
+def cross_check_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], names: Sequence[str], origin: Sequence[float]) -> list[Row]:
+    """Rows of ``cross_checks``."""
+    rows = []
+    for (first, second, unit), check in sorted(tracking.cross_checks.items()):
+        sds = np.sqrt(np.diag(check.covariance))
+        pose = tracking.units[unit][first].pose
+        rows.append(
+            {
+                "unit_id": names[unit],
+                "epoch_from": epochs[first].label,
+                "epoch_to": epochs[second].label,
+                "de": check.vector[0],
+                "dn": check.vector[1],
+                "dh": check.vector[2],
+                "sd_e": sds[0],
+                "sd_n": sds[1],
+                "sd_h": sds[2],
+                "rotation_deg": math.degrees(check.turn),
+                "overlap": check.overlap,
+                "difference": check.difference,
+                "statistic": check.statistic,
+                "p_value": check.p_value,
+                "agrees": check.agrees,
+                "reason": check.reason,
+                "geometry": None if pose is None else pose.centre + origin,
             }
         )
     return rows

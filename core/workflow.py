@@ -538,7 +538,7 @@ def track_tables(
     """Rows of all layers that need several epochs, and of units and feature points; counts and settings by epoch for the record."""
     from .displacement import grades_from
     from .tracking import track
-    from .tracking_tables import TableOptions, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
+    from .tracking_tables import TableOptions, cross_check_rows, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
 
     centres = np.concatenate([epoch.table["poses"][:, :3] for epoch in fitted])
     origin = np.round(centres.mean(axis=0)) if len(centres) else np.zeros(3)
@@ -564,6 +564,7 @@ def track_tables(
         "displacements": moved,
         "displacements_other": other,
         "epoch_pairs": pair_rows(result, placed, base),
+        "cross_checks": cross_check_rows(result, placed, names, origin),
         "velocities": velocity_rows(result, placed, names, base),
     }
     settings = {
