@@ -98,20 +98,19 @@ class FitJob:
         Which of its units.
     units
         Geometry by type, calibrated where that was asked for.
-    radius_sd, gradient_sd
-        Standard deviations of shape as prior observations, relative and absolute; 0 holds the shape.
+    shape_sds
+        By type, standard deviations of radius (metres) and gradient as prior observations; 0 holds the shape.
     """
 
     segmented: Path
     rows: tuple[int, ...]
     units: tuple[UnitType, ...]
-    radius_sd: float
-    gradient_sd: float
+    shape_sds: tuple[tuple[float, float], ...]
 
     @property
     def name(self) -> str:
         """File name of the result."""
-        settings = {"rows": self.rows, "units": repr(self.units), "sds": [repr(self.radius_sd), repr(self.gradient_sd)]}
+        settings = {"rows": self.rows, "units": repr(self.units), "sds": repr(self.shape_sds)}
         return f"fit-{job_key('fit', settings, [self.segmented.name])}.npz"
 
     def run(self) -> Arrays:
@@ -141,9 +140,10 @@ class FitJob:
         for k, row in enumerate(self.rows):
             own = slice(source["offsets"][row], source["offsets"][row + 1])
             points = source["points"][own]
-            unit = self.units[int(table["type"][k])]
+            kind = int(table["type"][k])
+            unit = self.units[kind]
             table["shape"][k] = unit.radius, unit.gradient
-            options = AdjustmentOptions(radius_sd=self.radius_sd * unit.radius, gradient_sd=self.gradient_sd)
+            options = AdjustmentOptions(radius_sd=self.shape_sds[kind][0], gradient_sd=self.shape_sds[kind][1])
             used = np.ones(len(points), dtype=np.bool_)
             try:
                 result = adjust(points, unit, _pose(table["poses"][k]), options=options)

@@ -26,6 +26,8 @@ BoolArray = NDArray[np.bool_]
 
 MIN_LEGS = 2
 """Legs a unit must show to take part: with one, radius and gradient mix with the place along its axis."""
+CALIBRATION_UNITS = 60
+"""Units used, those with most points: enough to average the scatter between units out."""
 REJECTION = 0.999
 """Probability up to which a unit's distance from the common shape is taken for chance."""
 
@@ -61,7 +63,12 @@ class Calibration:
 
 
 def calibrate(
-    points: Sequence[ArrayLike], unit: UnitType, poses: Sequence[Pose], *, options: AdjustmentOptions | None = None, best: int = 60
+    points: Sequence[ArrayLike],
+    unit: UnitType,
+    poses: Sequence[Pose],
+    *,
+    options: AdjustmentOptions | None = None,
+    best: int = CALIBRATION_UNITS,
 ) -> Calibration:
     """Estimate radius and gradient common to units.
 

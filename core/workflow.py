@@ -53,7 +53,7 @@ FloatArray = NDArray[np.float64]
 Tables = dict[str, list[dict[str, Any]]]
 
 STYLES = Path(__file__).parent / "styles"
-SHARES = {"read": 0.03, "segment": 0.62, "fit": 0.2, "track": 0.14, "write": 0.01}
+SHARES = {"read": 0.03, "fit": 0.82, "track": 0.14, "write": 0.01}
 """Share of each step in the time of a whole run, for the progress bar."""
 
 
@@ -175,32 +175,103 @@ def segment_epochs(
     return tuple(result)
 
 
-def fit_epochs(
-    survey: Survey, epochs: Sequence[EpochUnits], runner: JobRunner, feedback: Feedback
-) -> tuple[tuple[EpochUnits, ...], tuple[UnitType, ...]]:
-    """Adjust every unit to its points; with ``calibrate`` the shape is first estimated from the best-seen units, then held.
+def find_and_fit(
+    survey: Survey,
+    plans: Sequence[EpochPlan],
+    record: RunRecord,
+    runner: JobRunner,
+    feedback: Feedback,
+    given: Mapping[str, Sequence[tuple[float, ...]]] | None = None,
+) -> tuple[tuple[EpochUnits, ...], dict[str, Any]]:
+    """Find units and adjust each to its points; with ``calibrate`` the shape is first estimated from the best-seen units of all epochs,
+    then the units are found and adjusted anew with it.
 
-    Returns the adjusted units by epoch and the geometry by type.
+    Returns the adjusted units by epoch, and what calibration found, for the record.
     """
-    units = tuple(unit.type for unit in survey.units)
-    shape_sd = (RADIUS_TOLERANCE, GRADIENT_TOLERANCE)
-    return _fit_pass(epochs, units, shape_sd, runner, feedback), units
+    calibrates = any(unit.calibrate for unit in survey.units)
+    share = 0.4 if calibrates else 0.75
+    found = segment_epochs(survey, plans, record, runner, feedback.part(0, share), given)
+    shape_sds = tuple((RADIUS_TOLERANCE * unit.type.radius, GRADIENT_TOLERANCE) for unit in survey.units)
+    notes: dict[str, Any] = {}
+    if calibrates:
+        feedback.progress(share, "calibrating radius and gradient")
+        survey, shape_sds, notes = calibrate_shapes(survey, found, shape_sds, feedback)
+        found = segment_epochs(survey, plans, record, runner, feedback.part(share, 0.8), given)
+        share = 0.8
+    return fit_epochs(found, shape_sds, runner, feedback.part(share, 1)), notes
 
 
-def _fit_pass(
-    epochs: Sequence[EpochUnits], units: tuple[UnitType, ...], shape_sd: tuple[float, float], runner: JobRunner, feedback: Feedback
+def calibrate_shapes(
+    survey: Survey, epochs: Sequence[EpochUnits], shape_sds: tuple[tuple[float, float], ...], feedback: Feedback
+) -> tuple[Survey, tuple[tuple[float, float], ...], dict[str, Any]]:
+    """Estimate radius and gradient of the types that ask for it.
+
+    Returns the survey with the estimated shapes, the standard deviation of single units' radius and gradient by type, and the numbers
+    for the record.
+
+    Raises
+    ------
+    InputError
+        No unit shows enough of itself.
+    """
+    from .calibration import CALIBRATION_UNITS, calibrate
+
+    units, sds, notes = list(survey.units), list(shape_sds), {}
+    for kind, unit in enumerate(survey.units):
+        if not unit.calibrate:
+            continue
+        best: list[tuple[int, FloatArray, Pose]] = []
+        for epoch in epochs:
+            for row, points, _ in epoch.points():
+                feedback.check()
+                # a shape that is wrong yet weakens the evidence of good units: what is no unit shows as an outlier instead
+                if int(epoch.table["type"][row]) != kind:
+                    continue
+                pose = epoch.pose(row)
+                origin = np.round(pose.centre)
+                best.append((len(points), points - origin, pose.shifted(-origin)))
+                best = sorted(best, key=lambda item: -item[0])[:CALIBRATION_UNITS]
+        result = calibrate([points for _, points, _ in best], unit.type, [pose for _, _, pose in best])
+        units[kind] = replace(unit, type=result.unit)
+        sds[kind] = (float(result.between[0]), float(result.between[1]))
+        used = int(result.used.sum())
+        feedback.info(
+            f"calibrated on {used} units: radius {result.unit.radius:.4f} m (sd {result.sd[0]:.4f}), "
+            f"gradient {result.unit.gradient:.4f} (sd {result.sd[1]:.4f})"
+        )
+        notes[unit.type.name] = {
+            "radius": result.unit.radius,
+            "gradient": result.unit.gradient,
+            "sd": result.sd.tolist(),
+            "between_units": result.between.tolist(),
+            "units": used,
+        }
+    return replace(survey, units=tuple(units)), tuple(sds), notes
+
+
+def fit_epochs(
+    epochs: Sequence[EpochUnits], shape_sds: tuple[tuple[float, float], ...], runner: JobRunner, feedback: Feedback
 ) -> tuple[EpochUnits, ...]:
+    """Adjust every unit to its points.
+
+    Parameters
+    ----------
+    epochs
+        Units with approximate poses.
+    shape_sds
+        By type of unit, standard deviations of radius (metres) and gradient about the type's shape; 0 holds it.
+    """
     jobs = []
     for epoch in epochs:
         for number, path in enumerate(epoch.files):
             rows = tuple(int(row) for row in np.sort(epoch.places[epoch.places[:, 0] == number, 1]))
-            jobs.append(FitJob(path, rows, units, *shape_sd))
+            jobs.append(FitJob(path, rows, epoch.units, shape_sds))
     files = iter(runner.run(jobs, lambda done, total: feedback.progress(done / total, f"adjusting units, block {done} of {total}")))
     result = []
     for epoch in epochs:
         own = tuple(next(files) for _ in epoch.files)
         arrays = [_loaded(path) for path in own]
-        result.append(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own, units))
+        result.append(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own, epoch.units))
     return tuple(result)
 
 
@@ -474,10 +545,9 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
     )
     registrations = register_epochs(survey, feedback)
     with job_runner(output, options, feedback) as runner:
-        found = segment_epochs(survey, plans, record, runner, feedback.part(start, start := start + SHARES["segment"]))
-        fitted, units = fit_epochs(survey, found, runner, feedback.part(start, start := start + SHARES["fit"]))
+        fitted, calibration = find_and_fit(survey, plans, record, runner, feedback.part(start, start := start + SHARES["fit"]))
         feedback.progress(start, "tracking units")
-        tables, summary = track_tables(survey, fitted, units, registrations, feedback)
+        tables, summary = track_tables(survey, fitted, fitted[0].units, registrations, feedback)
         tables |= {"control_residuals": [], "epochs": []}
         tables["check_residuals"], check_rmse = check_tables(survey, tables["feature_points"], feedback)
         for epoch in fitted:
@@ -495,7 +565,7 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
                     record,
                     None if registration is None else registration.transformation.as_record(),
                     None if registration is None else registration.sigma0,
-                    summary["epochs"][label],
+                    summary["epochs"][label] | {"calibration": calibration},
                 )
             )
         feedback.check()
@@ -564,7 +634,7 @@ def track_tables(
         "displacements": moved,
         "displacements_other": other,
         "epoch_pairs": pair_rows(result, placed, base),
-        "cross_checks": cross_check_rows(result, placed, names, origin),
+        "cross_checks": cross_check_rows(result, placed, names, base),
         "velocities": velocity_rows(result, placed, names, base),
     }
     settings = {
@@ -659,15 +729,14 @@ def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOption
     plans = plan_survey(survey, feedback.part(0, 0.05))
     record = record_run(survey, options.seed, {"step": "fit"})
     with job_runner(output, options, feedback) as runner:
-        found = segment_epochs(survey, plans, record, runner, feedback.part(0.05, 0.6), given)
-        epochs, _ = fit_epochs(survey, found, runner, feedback.part(0.6, 0.98))
+        epochs, calibration = find_and_fit(survey, plans, record, runner, feedback.part(0.05, 0.98), given)
         tables: Tables = {"units": [], "feature_points": [], "epochs": []}
         for epoch in epochs:
             ids = provisional_ids(len(epoch))
             tables["units"] += unit_rows(epoch, ids)
             for k, name in enumerate(ids):
                 tables["feature_points"] += fitted_feature_rows(epoch, k, name)
-            tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {}))
+            tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {"calibration": calibration}))
         feedback.check()
         write_result(output, survey.crs, tables)
     return {"output": str(output), "units": sum(len(e) for e in epochs), "epochs": len(epochs)}
