@@ -29,7 +29,7 @@ from .neighbourhood import Grid, build_grid
 from .pose import Pose
 from .surface_elements import SurfaceElements, surface_elements
 from .unit_types import UnitType
-from .verification import overlap, select, worth
+from .verification import MOST_OVERLAP, overlap, select, worth
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -44,6 +44,8 @@ SCORE_WEIGHTS = (2.49, 2.85, -0.72, -1.31, -1.47, 0.65)
 SCORE_INTERCEPT = -7.58
 WORTH_ANOTHER_PASS = 0.3
 """Score a pass must reach with at least one unit for the remaining points to be searched again."""
+MOST_INTERPENETRATION = 0.01
+"""Share of its volume by which the weaker of two units may enter the stronger and still be stated as found."""
 RIVAL_MARGIN = 0.08
 """Share of its worth by which a pose must beat every different pose about one of its legs to count as unambiguous."""
 
@@ -67,7 +69,7 @@ class DetectedUnit:
     misfit
         Root mean square distance of the supporting surface elements, metres.
     interpenetration
-        Largest share of its volume that lies inside another unit.
+        Largest share of its volume that lies inside a unit that was found with a higher score.
     """
 
     pose: Pose
@@ -157,15 +159,16 @@ def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, un
     certainty = np.ones(len(poses))
     for k in np.flatnonzero(table[:, LEGS] <= 2):
         own = (owner == k) | (owner < 0)
-        rival = _best_rival(poses[k], elements, own, grid, unit, tolerance)
+        rival = _best_rival(poses[k], np.delete(poses, k, axis=0), elements, own, grid, unit, tolerance)
         certainty[k] = np.clip((1 - rival / max(worth(table[k]), 1e-9)) / RIVAL_MARGIN, 0, 1)
-    shared = np.zeros(len(poses))
-    for k in range(len(poses)):
-        for j in range(len(poses)):
-            if j != k and np.sum((poses[j, :3] - poses[k, :3]) ** 2) < (1.29 * unit.height) ** 2:
-                shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
     typical = _typical_misfit(table)
     scores = certainty * np.array([score(row, tolerance, typical) for row in table])
+    shared = np.zeros(len(poses))
+    for k in range(len(poses)):
+        stronger = np.flatnonzero((scores >= FOUND_SCORE) & (scores > scores[k]))
+        for j in stronger[np.sum((poses[stronger, :3] - poses[k, :3]) ** 2, axis=1) < (1.29 * unit.height) ** 2]:
+            shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
+    entered = shared > MOST_INTERPENETRATION
     kept = np.flatnonzero(scores >= LISTED_SCORE)
     units = tuple(
         DetectedUnit(
@@ -173,7 +176,7 @@ def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, un
             float(scores[k]),
             float(table[k, CELLS] / NUMBER_OF_CELLS),
             int(table[k, LEGS]),
-            "found" if scores[k] >= FOUND_SCORE else "uncertain",
+            "found" if scores[k] >= FOUND_SCORE and not entered[k] else "uncertain",
             float(table[k, RMS]),
             float(shared[k]),
         )
@@ -183,8 +186,16 @@ def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, un
     return Segmentation(units, labels, elements.spacing, elements.noise, tolerance)
 
 
-def _best_rival(pose: FloatArray, elements: SurfaceElements, own: NDArray[np.bool_], grid: Grid, unit: UnitType, tolerance: float) -> float:
-    """Worth of the best clearly different pose that shares one leg with this one.
+def _best_rival(
+    pose: FloatArray,
+    others: FloatArray,
+    elements: SurfaceElements,
+    own: NDArray[np.bool_],
+    grid: Grid,
+    unit: UnitType,
+    tolerance: float,
+) -> float:
+    """Worth of the best clearly different pose that shares one leg with this one and does not enter another unit.
 
     With one leg seen the twist about its axis is undetermined (METHOD 3): then another twist explains the points as well.
     """
@@ -199,6 +210,9 @@ def _best_rival(pose: FloatArray, elements: SurfaceElements, own: NDArray[np.boo
     turns = np.einsum("nij,skj,lk->nsil", rivals[:, 3:].reshape(-1, 3, 3), unit.symmetries, rotation)
     cosine = np.max((np.trace(turns, axis1=2, axis2=3) - 1) / 2, axis=1)
     different = (cosine < np.cos(np.radians(12))) & (np.linalg.norm(rivals[:, :3] - pose[:3], axis=1) < 0.2 * unit.height)
+    neighbours = others[np.sum((others[:, :3] - pose[:3]) ** 2, axis=1) < (1.5 * unit.height) ** 2]
+    for k in np.flatnonzero(different):
+        different[k] = all(overlap(rivals[k], other, unit) <= MOST_OVERLAP for other in neighbours)
     if not different.any():
         return 0.0
     sign = elements.oriented.astype(np.int8)
