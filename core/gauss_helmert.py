@@ -187,13 +187,13 @@ class Adjustment:
 _COMPILED: dict[str, Any] = {"cache": True, "error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
 
 
-@njit(**_COMPILED)
+@njit(**_COMPILED)  # type: ignore[untyped-decorator]
 def _ramp(t: float) -> float:
     """0 up to 3/4 of an edge's width, 1 from 5/4: a hard limit would let points flip in and out for ever."""
     return min(max(2.0 * (t - 0.75), 0.0), 1.0)
 
 
-@njit(**_COMPILED)
+@njit(**_COMPILED)  # type: ignore[untyped-decorator]
 def _robust_weight(u: float) -> tuple[float, float]:
     """Weight of a standardised residual, and the derivative of weight times residual."""
     v = (abs(u) - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT)
@@ -216,7 +216,7 @@ def _scale_consistency() -> float:
 _SCALE_CONSISTENCY = _scale_consistency()
 
 
-@njit(**_COMPILED)
+@njit(**_COMPILED)  # type: ignore[untyped-decorator]
 def _inside_probability(t: float) -> float:
     if t > 6.0:
         return 1.0
@@ -338,7 +338,7 @@ def _candidates(x, y, z, given, axes, creases, r, c, length, ends, cov, has_cov,
 
 
 @njit(**_COMPILED)
-def _pass(  # type: ignore[no-untyped-def]
+def linearise_points(  # type: ignore[no-untyped-def]
     points, centre, rotation, axes, creases, shape, ends, cov, given, opened, discs, scale, noise, correct, tip, edge, redescend, final,
     normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, rows, feet,
 ):  # fmt: skip
@@ -786,7 +786,7 @@ class _Solver:
     def linearise(self, scale: float, *, redescend: bool, final: bool = False) -> tuple[float, float]:
         """Refresh the normal equations; returns the sums of squares and of weights that make the scale."""
         correct = (self.options.sigma or scale) if self.options.bias_correction else 0.0
-        squares, weight_sum, self.psi_squares, self.slopes, self.singles = _pass(
+        squares, weight_sum, self.psi_squares, self.slopes, self.singles = linearise_points(
             self.xyz, self.centre, self.rotation, self.axes, self.creases, self.shape, self.unit.leg_length + self.leg_errors, self.cov,
             self.given, self.opened, self.discs, scale, scale, correct, self.tip, self.edge, redescend, final,
             self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
