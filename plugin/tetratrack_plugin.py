@@ -81,8 +81,8 @@ class TetratrackPlugin:
         if self.review_dock is None:
             from .review_dock import ReviewDock
 
-            self.review_dock = ReviewDock(self.iface)
-            self.iface.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, self.review_dock)
+            self.review_dock = ReviewDock(self.iface.mapCanvas(), parent=self.iface.mainWindow())
+            self.iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.review_dock)
             self.review_dock.visibilityChanged.connect(self.actions[0].setChecked)
         self.review_dock.setVisible(visible)
 

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import shutil
 import subprocess  # nosec B404 - lrelease is started with a fixed list of arguments
 import sys
@@ -20,6 +21,8 @@ CONTEXT = "tetratrack"
 LANGUAGES = {"ja": "ja_JP", "ko": "ko_KR", "zh-Hans": "zh_CN", "fr": "fr_FR", "pt": "pt_PT", "es": "es_ES"}
 """Languages as QGIS names them, and as Qt's tools do."""
 SOURCES = ("algorithms", "plugin", "core")
+REPORT_TEXT = re.compile(r'(?<![\w.])_\("([^"\\]*)"\)')
+"""The report's texts: constant arguments of ``_`` in its templates and figures."""
 
 
 def strings_of(path: Path) -> Iterator[str]:
@@ -45,6 +48,9 @@ def source_strings() -> dict[str, str]:
         for path in sorted((ROOT / folder).glob("*.py")):
             for text in strings_of(path):
                 found.setdefault(text, f"{folder}/{path.name}")
+    for path in sorted((ROOT / "core" / "templates").glob("*.html")) + [ROOT / "core" / "report_figures.py"]:
+        for text in REPORT_TEXT.findall(path.read_text(encoding="utf-8")):
+            found.setdefault(text, f"core/{path.name}")
     return found
 
 
