@@ -48,7 +48,7 @@ def source_strings() -> dict[str, str]:
         for path in sorted((ROOT / folder).glob("*.py")):
             for text in strings_of(path):
                 found.setdefault(text, f"{folder}/{path.name}")
-    for path in sorted((ROOT / "core" / "templates").glob("*.html")) + [ROOT / "core" / "report_figures.py"]:
+    for path in [*sorted((ROOT / "core" / "templates").glob("*.html")), ROOT / "core" / "report_figures.py"]:
         for text in REPORT_TEXT.findall(path.read_text(encoding="utf-8")):
             found.setdefault(text, f"core/{path.name}")
     return found
