@@ -1,0 +1,2502 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es_ES" sourcelanguage="en">
+  <context>
+    <name>tetratrack</name>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Units at the common centre of their cones, with orientation, standard deviations (m, degrees), score and status.</source>
+      <translation>Piezas en el centro común de sus conos, con orientación, desviaciones típicas (m, grados), puntuación y estado.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Centre and the four joints of three cones (f123, f124, f134, f234) of every unit, with covariance (m, m²).</source>
+      <translation>Centro y las cuatro uniones de tres conos (f123, f124, f134, f234) de cada pieza, con covarianza (m, m²).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Displacement of every feature point between consecutive epochs (m), with test statistic and class.</source>
+      <translation>Desplazamiento de cada punto característico entre épocas consecutivas (m), con estadístico de prueba y clase.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Residuals at the control points (m), with normalised residual; disturbed points are marked.</source>
+      <translation>Residuos en los puntos de control (m), con residuo normalizado; los puntos perturbados van marcados.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Feature points less surveyed check points (m).</source>
+      <translation>Puntos característicos menos puntos de comprobación medidos (m).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Monitoring</source>
+      <translation>Seguimiento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Single steps</source>
+      <translation>Pasos sueltos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Planning and simulation</source>
+      <translation>Planificación y simulación</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Inputs and outputs</source>
+      <translation>Entradas y salidas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Limits</source>
+      <translation>Límites</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>The engine's result holds no layer {layer}.</source>
+      <translation>El resultado del motor no contiene la capa {layer}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Numbers for models</source>
+      <translation>Números para modelos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Displacement report</source>
+      <translation>Informe de desplazamientos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Writes the report of a result as reviewed so far: summary, control quality, displacement map and table, worst units, damage figures, method, settings and versions.</source>
+      <translation>Escribe el informe de un resultado según su revisión actual: resumen, calidad del control, mapa y tabla de desplazamientos, peores piezas, índices de daño, método, ajustes y versiones.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Rejected units are left out of the statistics and listed apart. PDF needs the library weasyprint in the engine.</source>
+      <translation>Las piezas rechazadas quedan fuera de las estadísticas y se listan aparte. El PDF necesita la biblioteca weasyprint en el motor.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>report,HTML,PDF,damage,displacement</source>
+      <translation>informe,HTML,PDF,daño,desplazamiento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>GeoPackage written by Monitor a survey.</source>
+      <translation>GeoPackage escrito por Seguir un levantamiento.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>HTML in one file, or PDF; the ending decides.</source>
+      <translation>HTML en un archivo, o PDF; decide la extensión.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Result</source>
+      <translation>Resultado</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Report</source>
+      <translation>Informe</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Extract feature points</source>
+      <translation>Extraer puntos característicos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Derives the centre and the four points where three cone surfaces meet on the outside of each unit, with the covariance carried over from the fit. These points can be surveyed by total station as well.</source>
+      <translation>Calcula el centro y los cuatro puntos donde tres superficies cónicas se encuentran por fuera de cada pieza, con la covarianza propagada del ajuste. Estos puntos también pueden medirse con estación total.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>A joint is marked as observed only where points lie next to it; otherwise it follows from the rest of the unit.</source>
+      <translation>Una unión se marca como observada solo si hay puntos junto a ella; si no, se deduce del resto de la pieza.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>feature points,cone intersection,centre,covariance propagation</source>
+      <translation>puntos característicos,intersección de conos,centro,propagación de covarianza</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Layer of units from Fit tetrapods or Monitor a survey.</source>
+      <translation>Capa de piezas de Ajustar tetrápodos o Seguir un levantamiento.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Fitted units</source>
+      <translation>Piezas ajustadas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Points</source>
+      <translation>Puntos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>Fit tetrapods</source>
+      <translation>Ajustar tetrápodos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>Fits four equal cones that share a centre to the points of each unit by an iterated Gauss–Helmert adjustment with robust weights, end discs and removal of the curvature bias; gives pose, radius, taper and their covariance.</source>
+      <translation>Ajusta cuatro conos iguales con un centro común a los puntos de cada pieza mediante un ajuste de Gauss-Helmert iterado con pesos robustos, discos extremos y eliminación del sesgo de curvatura; da pose, radio, conicidad y su covarianza.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>With one visible leg the twist about its axis is undetermined: the unit says so in its large standard deviation.</source>
+      <translation>Con una sola pata visible, el giro alrededor de su eje queda indeterminado: lo dice la gran desviación típica de la pieza.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>adjustment,Gauss-Helmert,least squares,cone,pose,covariance</source>
+      <translation>ajuste,Gauss-Helmert,mínimos cuadrados,cono,pose,covarianza</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>Layer of units from Segment tetrapods, with the fields qx, qy, qz, qw of their orientation.</source>
+      <translation>Capa de piezas de Segmentar tetrápodos, con los campos qx, qy, qz, qw de su orientación.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>Units found</source>
+      <translation>Piezas encontradas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>Units fitted</source>
+      <translation>Piezas ajustadas (número)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
+      <translation>Archivos LAS, LAZ o COPC, una carpeta, una nube de puntos virtual (.vpc) o capas de nube de puntos; coordenadas en metros.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Projected CRS in metres; empty takes that of the tiles, and a local frame if they declare none.</source>
+      <translation>SRC proyectado en metros; vacío toma el de las teselas, y un sistema local si no declaran ninguno.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Label of this survey in all results, for example its date.</source>
+      <translation>Nombre de este levantamiento en todos los resultados, por ejemplo su fecha.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Drives the temporal controller; empty takes the date of the first tile.</source>
+      <translation>Gobierna el controlador temporal; vacío toma la fecha de la primera tesela.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Estimates both from the best-seen units and holds them: moulds differ by centimetres from the standard proportions.</source>
+      <translation>Estima ambos con las piezas mejor vistas y los fija: los moldes difieren en centímetros de las proporciones estándar.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Type of unit</source>
+      <translation>Tipo de pieza</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Catalogue name with the mass in tonnes, such as tetrapod 8 t; or tetrapod with a height of your own.</source>
+      <translation>Nombre de catálogo con la masa en toneladas, como tetrapod 8 t; o tetrapod con altura propia.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>From the plane under three legs to the top of the fourth, in metres; overrides the catalogue.</source>
+      <translation>Del plano bajo tres patas a la punta de la cuarta, en metros; prevalece sobre el catálogo.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Radius of a leg's cone at the unit's centre, in metres; empty takes 0.264 H.</source>
+      <translation>Radio del cono de una pata en el centro de la pieza, en metros; vacío toma 0,264 H.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Loss of radius per metre along the leg's axis; empty takes 0.176.</source>
+      <translation>Pérdida de radio por metro a lo largo del eje de la pata; vacío toma 0,176.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
+      <translation>Del centro al disco extremo, en metros; vacío toma 0,644 H.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations.</source>
+      <translation>Los tetrápodos reales son tetraédricos; 120° entre la pata 1 y las demás repite las ecuaciones publicadas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Polygon inside which units are looked for; its outer ring is used. Empty means everywhere.</source>
+      <translation>Polígono dentro del cual se buscan piezas; se usa su anillo exterior. Vacío: en todas partes.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Blocks of the survey worked on at the same time; each takes about 1 GB of memory.</source>
+      <translation>Bloques del levantamiento procesados a la vez; cada uno ocupa aproximadamente 1 GB de memoria.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Surveyed targets: point layer or CSV with point_id, easting, northing, height, sd_e, sd_n, sd_h (m).</source>
+      <translation>Dianas medidas: capa de puntos o CSV con point_id, easting, northing, height, sd_e, sd_n, sd_h (m).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>The same targets as measured in this epoch's cloud: point layer or CSV with point_id, x, y, z (m).</source>
+      <translation>Las mismas dianas medidas en la nube de esta época: capa de puntos o CSV con point_id, x, y, z (m).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Surveyed joints of cones, for validation only: CSV or layer with point_id, unit_easting, unit_northing, unit_height and position (m).</source>
+      <translation>Uniones de conos medidas, solo para validación: CSV o capa con point_id, unit_easting, unit_northing, unit_height y posición (m).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Give the height H of the unit, or choose a catalogue name with its mass, such as tetrapod 8 t.</source>
+      <translation>Indique la altura H de la pieza, o elija un nombre de catálogo con su masa, como tetrapod 8 t.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>The type of unit must be tetrapod, or a catalogue name such as tetrapod 8 t.</source>
+      <translation>El tipo de pieza debe ser tetrapod, o un nombre de catálogo como tetrapod 8 t.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Control points and targets in the cloud belong together: give both, or neither.</source>
+      <translation>Los puntos de control y las dianas en la nube van juntos: indique ambos o ninguno.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>CRS of the results</source>
+      <translation>SRC de los resultados</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Epoch</source>
+      <translation>Época</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Time of the survey (UTC)</source>
+      <translation>Hora del levantamiento (UTC)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Calibrate radius and taper</source>
+      <translation>Calibrar radio y conicidad</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Height H of the unit (m)</source>
+      <translation>Altura H de la pieza (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Cone radius at the centre (m)</source>
+      <translation>Radio del cono en el centro (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Taper of the leg</source>
+      <translation>Conicidad de la pata</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Leg length (m)</source>
+      <translation>Longitud de la pata (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Angle between the legs</source>
+      <translation>Ángulo entre las patas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Area of interest</source>
+      <translation>Área de interés</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Worker processes</source>
+      <translation>Procesos de trabajo</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Control points</source>
+      <translation>Puntos de control</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Targets in the cloud</source>
+      <translation>Dianas en la nube</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Check points</source>
+      <translation>Puntos de comprobación</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>The cone radius must be smaller than half the height of the unit.</source>
+      <translation>El radio del cono debe ser menor que la mitad de la altura de la pieza.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>The area of interest holds no polygon.</source>
+      <translation>El área de interés no contiene ningún polígono.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>The area of interest has several separate parts; give one polygon.</source>
+      <translation>El área de interés tiene varias partes separadas; indique un solo polígono.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Point cloud tiles</source>
+      <translation>Teselas de nube de puntos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>tetrahedral (109.5°)</source>
+      <translation>tetraédrico (109,5°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>as in the paper (120°)</source>
+      <translation>como en el artículo (120°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{crs} is geographic; choose a projected CRS in metres.</source>
+      <translation>{crs} es geográfico; elija un SRC proyectado en metros.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{where}: no LAS or LAZ file is given.</source>
+      <translation>{where}: no se indica ningún archivo LAS o LAZ.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{where}: there is no file or layer {path}.</source>
+      <translation>{where}: no existe el archivo o capa {path}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{layer} has no field {fields}; it has {present}.</source>
+      <translation>{layer} no tiene el campo {fields}; tiene {present}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{where}: the folder {path} holds no LAS or LAZ file.</source>
+      <translation>{where}: la carpeta {path} no contiene archivos LAS o LAZ.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{where}: {path} is not a virtual point cloud.</source>
+      <translation>{where}: {path} no es una nube de puntos virtual.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Inspect tiles</source>
+      <translation>Inspeccionar teselas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Lists point cloud tiles with their extent, CRS, number and density of points and range of heights. Run it first: it shows missing CRS, gaps, overlaps and tiles too thin to find units in.</source>
+      <translation>Lista las teselas de nube de puntos con extensión, SRC, número y densidad de puntos y rango de alturas. Ejecútelo primero: muestra SRC ausentes, huecos, solapes y teselas demasiado pobres.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Reads headers and a sample of points; a damaged tile is named and ends the run.</source>
+      <translation>Lee las cabeceras y una muestra de puntos; una tesela dañada se nombra y termina la ejecución.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>point cloud,LAS,LAZ,tile index,density,CRS,extent</source>
+      <translation>nube de puntos,LAS,LAZ,índice de teselas,densidad,SRC,extensión</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>One rectangle per tile with file, CRS, points, density (points/m²) and heights (m).</source>
+      <translation>Un rectángulo por tesela con archivo, SRC, puntos, densidad (puntos/m²) y alturas (m).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Tile index</source>
+      <translation>Índice de teselas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Tiles</source>
+      <translation>Teselas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Median density (points/m²)</source>
+      <translation>Densidad mediana (puntos/m²)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>CRS of the tiles</source>
+      <translation>SRC de las teselas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Monitor a survey</source>
+      <translation>Seguir un levantamiento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>All steps at once: registers every epoch to survey control, finds the tetrapods, fits four cones that share a centre, derives feature points and tests their displacements. Give a survey.toml, or the epochs and the unit.</source>
+      <translation>Todos los pasos a la vez: registra cada época al control topográfico, encuentra los tetrápodos, ajusta cuatro conos con centro común, calcula puntos característicos y prueba sus desplazamientos. Indique un survey.toml, o las épocas y la pieza.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Units of which less than about 5 % is seen are not found. Without control the cloud's own frame is used, and the result says so.</source>
+      <translation>No se encuentran piezas de las que se ve menos de un 5 % aproximadamente. Sin control se usa el sistema propio de la nube, y el resultado lo dice.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>tetrapod,armour unit,breakwater,displacement,monitoring,LAS,LAZ,deformation</source>
+      <translation>tetrápodo,pieza de manto,dique,desplazamiento,seguimiento,LAS,LAZ,deformación</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>A survey.toml; if given, it states everything, and the fields for epochs, unit, CRS and area are not used.</source>
+      <translation>Un survey.toml; si se indica, lo decide todo, y los campos de épocas, pieza, SRC y área no se usan.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Label</source>
+      <translation>Nombre</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Time (UTC)</source>
+      <translation>Hora (UTC)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>One row per epoch: label, time such as 2025-03-14T02:30, folder or files of tiles (separated by ;), CSV files or layers.</source>
+      <translation>Una fila por época: nombre, hora como 2025-03-14T02:30, carpeta o archivos de teselas (separados por ;), archivos CSV o capas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Writes a top view of each epoch as GeoTIFF beside the result, as a backdrop.</source>
+      <translation>Escribe una vista superior de cada época como GeoTIFF junto al resultado, de fondo.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Adds all layers to the project as a group with their styles.</source>
+      <translation>Añade todas las capas al proyecto como grupo con sus estilos.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>GeoPackage with units, feature points, displacements, residuals, epochs and reviews, in the survey's CRS, times in UTC.</source>
+      <translation>GeoPackage con piezas, puntos característicos, desplazamientos, residuos, épocas y revisiones, en el SRC del levantamiento, horas en UTC.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Survey file</source>
+      <translation>Archivo del levantamiento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Epochs</source>
+      <translation>Épocas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Shaded relief of each epoch</source>
+      <translation>Relieve sombreado de cada época</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Load the result</source>
+      <translation>Cargar el resultado</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Units moved</source>
+      <translation>Piezas movidas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>RMSE at check points (m)</source>
+      <translation>EMC en puntos de comprobación (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Give a survey.toml, or at least one epoch with its tiles.</source>
+      <translation>Indique un survey.toml, o al menos una época con sus teselas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Every epoch needs six columns: label, time, tiles, control points, targets, check points.</source>
+      <translation>Cada época necesita seis columnas: nombre, hora, teselas, puntos de control, dianas, puntos de comprobación.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Epoch {label}</source>
+      <translation>Época {label}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>{where}: {path} cannot be read as a point layer or CSV file.</source>
+      <translation>{where}: {path} no se puede leer como capa de puntos o archivo CSV.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>The folder {folder} does not exist.</source>
+      <translation>La carpeta {folder} no existe.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Plan a survey: detectable displacement</source>
+      <translation>Planificar un levantamiento: desplazamiento detectable</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Computes which displacement and rotation of a unit a planned survey will find, from point density, noise, visible share and registration: the Cramér–Rao bound of the adjustment for the unit's geometry, and Baarda's detectability.</source>
+      <translation>Calcula qué desplazamiento y giro de una pieza hallará un levantamiento previsto, según densidad de puntos, ruido, parte visible y registro: cota de Cramér-Rao del ajuste para la geometría de la pieza, y detectabilidad de Baarda.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>White noise is averaged over the points of a unit; whatever does not average out must be stated as systematic part.</source>
+      <translation>El ruido blanco se promedia sobre los puntos de una pieza; lo que no se promedia debe indicarse como parte sistemática.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>planning,detectability,point density,noise,Cramér-Rao bound,minimal detectable displacement</source>
+      <translation>planificación,detectabilidad,densidad de puntos,ruido,cota de Cramér-Rao,desplazamiento mínimo detectable</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Point density (points/m²)</source>
+      <translation>Densidad de puntos (puntos/m²)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>On a surface that faces the instrument, all flight strips or stations together.</source>
+      <translation>Sobre una superficie frente al instrumento, todas las pasadas o estaciones juntas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Noise of a point (m)</source>
+      <translation>Ruido de un punto (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Standard deviation along the surface normal, in metres.</source>
+      <translation>Desviación típica a lo largo de la normal a la superficie, en metros.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Visible share of a unit</source>
+      <translation>Parte visible de una pieza</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Share of a unit's surface that holds points, 0 to 1; in a pile 0.05 to 0.5.</source>
+      <translation>Parte de la superficie de una pieza que tiene puntos, 0 a 1; en un manto de 0,05 a 0,5.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Registration (m)</source>
+      <translation>Registro (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Standard deviation of an epoch's registration at the unit, per coordinate, in metres.</source>
+      <translation>Desviación típica del registro de una época en la pieza, por coordenada, en metros.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Systematic part (m)</source>
+      <translation>Parte sistemática (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Strip offsets, roughness and growth that do not average out, per coordinate, in metres.</source>
+      <translation>Desfases de pasadas, rugosidad e incrustaciones que no se promedian, por coordenada, en metros.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Line of sight from the vertical (degrees)</source>
+      <translation>Visual respecto a la vertical (grados)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>0 from the air; about 70 from the crown wall.</source>
+      <translation>0 desde el aire; unos 70 desde el espaldón.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Calibrated and held; otherwise they are estimated for every unit, which costs accuracy.</source>
+      <translation>Calibrados y fijados; si no, se estiman para cada pieza, a costa de la precisión.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Level of significance</source>
+      <translation>Nivel de significación</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Probability of a false alarm for one unit.</source>
+      <translation>Probabilidad de falsa alarma para una pieza.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Power</source>
+      <translation>Potencia</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Probability with which the displacement is found.</source>
+      <translation>Probabilidad de hallar el desplazamiento.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Points on a unit</source>
+      <translation>Puntos en una pieza</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Standard deviation of the centre (m)</source>
+      <translation>Desviación típica del centro (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Standard deviation of the rotation (degrees)</source>
+      <translation>Desviación típica del giro (grados)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Standard deviation of a displacement (m)</source>
+      <translation>Desviación típica de un desplazamiento (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Detectable displacement, worst direction (m)</source>
+      <translation>Desplazamiento detectable, peor dirección (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Detectable displacement, mean (m)</source>
+      <translation>Desplazamiento detectable, media (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Detectable rotation (degrees)</source>
+      <translation>Giro detectable (grados)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>The level of significance must be below the power.</source>
+      <translation>El nivel de significación debe ser menor que la potencia.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Radius and taper are known</source>
+      <translation>Radio y conicidad conocidos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>Register to control</source>
+      <translation>Registrar al control</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>Estimates the rigid transformation from an epoch's cloud to survey control from targets, weighted by their standard deviations, and finds disturbed targets by data snooping on normalised residuals.</source>
+      <translation>Estima la transformación rígida de la nube de una época al control a partir de dianas ponderadas por sus desviaciones típicas, y halla dianas perturbadas por data snooping de los residuos normalizados.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>Needs three targets that do not lie in one line; an outlier is found from four, and named surely from five.</source>
+      <translation>Necesita tres dianas no alineadas; un error se halla con cuatro y se nombra con seguridad con cinco.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>registration,control points,targets,transformation,data snooping,georeferencing</source>
+      <translation>registro,puntos de control,dianas,transformación,data snooping,georreferenciación</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>GeoPackage whose table epochs holds the seven parameters and their covariance.</source>
+      <translation>GeoPackage cuya tabla epochs contiene los siete parámetros y su covarianza.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>Registration</source>
+      <translation>Registro</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>RMSE at control points (m)</source>
+      <translation>EMC en puntos de control (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>Disturbed targets</source>
+      <translation>Dianas perturbadas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Register views</source>
+      <translation>Registrar vistas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Brings overlapping views of a depth camera or scanner stations into the frame of the first by multiway ICP with a pose graph, and writes one cloud in which every view keeps its number as point source id.</source>
+      <translation>Lleva vistas solapadas de una cámara de profundidad o de estaciones de escáner al sistema de la primera mediante ICP múltiple con grafo de poses, y escribe una nube en la que cada vista conserva su número como identificador de origen.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Views must overlap by a third or more and be roughly aligned; views that do not connect are named.</source>
+      <translation>Las vistas deben solaparse un tercio o más y estar más o menos alineadas; las que no conectan se nombran.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>registration,ICP,pose graph,depth camera,multi-view</source>
+      <translation>registro,ICP,grafo de poses,cámara de profundidad,multivista</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Resolution at which views are matched, in metres; empty derives it from the point spacing.</source>
+      <translation>Resolución a la que se comparan las vistas, en metros; vacío la deduce del espaciado de puntos.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>One LAZ file in the frame of the first view.</source>
+      <translation>Un archivo LAZ en el sistema de la primera vista.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Views</source>
+      <translation>Vistas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Voxel size (m)</source>
+      <translation>Tamaño de vóxel (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Registered cloud</source>
+      <translation>Nube registrada</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>RMSE between views (m)</source>
+      <translation>EMC entre vistas (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/segmenttetrapods.py" />
+      <source>Segment tetrapods</source>
+      <translation>Segmentar tetrápodos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/segmenttetrapods.py" />
+      <source>Finds every tetrapod in a pile: cones from pairs of oriented points, legs that agree on a common centre and on the angles between them, and verification against the visible surface and against empty space.</source>
+      <translation>Encuentra cada tetrápodo de un manto: conos a partir de pares de puntos orientados, patas que coinciden en un centro y en sus ángulos, y verificación con la superficie visible y el espacio vacío.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/segmenttetrapods.py" />
+      <source>Units of which less than about 5 % is seen are not found; weak evidence has the status uncertain. Poses are approximate: fit them next.</source>
+      <translation>No se encuentran piezas de las que se ve menos de un 5 % aproximadamente; la evidencia débil tiene estado incierto. Las poses son aproximadas: ajústelas después.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/segmenttetrapods.py" />
+      <source>segmentation,RANSAC,cone,tetrapod,armour unit,detection</source>
+      <translation>segmentación,RANSAC,cono,tetrápodo,pieza de manto,detección</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Simulate a survey</source>
+      <translation>Simular un levantamiento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Writes a simulated survey of a tetrapod slope with known poses: LAZ tiles, control, check points and survey.toml. Use it to try the chain, to train, or to test a planned density and noise.</source>
+      <translation>Escribe el levantamiento simulado de un talud de tetrápodos de poses conocidas: teselas LAZ, control, puntos de comprobación y survey.toml. Sirve para probar la cadena, formarse o ensayar una densidad y un ruido previstos.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Simulated surfaces are cleaner than real ones; judge a plan with some reserve.</source>
+      <translation>Las superficies simuladas son más limpias que las reales; juzgue un plan con reserva.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>simulation,synthetic,ground truth,test data</source>
+      <translation>simulación,sintético,verdad terreno,datos de prueba</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>UAV laser scanner</source>
+      <translation>escáner láser en dron</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>terrestrial laser scanner</source>
+      <translation>escáner láser terrestre</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>photogrammetry</source>
+      <translation>fotogrametría</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>depth camera</source>
+      <translation>cámara de profundidad</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Decides viewpoints, hidden parts and, unless stated, noise and density.</source>
+      <translation>Decide los puntos de vista, las partes ocultas y, si no se indican, ruido y densidad.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Number of units on the slope.</source>
+      <translation>Número de piezas en el talud.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Number of surveys; some units move between them.</source>
+      <translation>Número de levantamientos; algunas piezas se mueven entre ellos.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Standard deviation of the range, in metres; empty takes that of the instrument.</source>
+      <translation>Desviación típica de la distancia, en metros; vacío toma la del instrumento.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>On the ground; empty takes that of the instrument.</source>
+      <translation>En el suelo; vacío toma la del instrumento.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>The same seed gives the same survey.</source>
+      <translation>La misma semilla da el mismo levantamiento.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Receives tiles, CSV files, survey.toml and truth.</source>
+      <translation>Recibe teselas, archivos CSV, survey.toml y verdad.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Instrument</source>
+      <translation>Instrumento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Units</source>
+      <translation>Piezas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Seed</source>
+      <translation>Semilla</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Survey folder</source>
+      <translation>Carpeta del levantamiento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>survey.toml of the simulated survey</source>
+      <translation>survey.toml del levantamiento simulado</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/survey_algorithm.py" />
+      <source>The tiles declare no CRS: results are in a local frame. Choose the CRS of the results to change that.</source>
+      <translation>Las teselas no declaran SRC: los resultados están en un sistema local. Elija el SRC de los resultados para cambiarlo.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Track displacements</source>
+      <translation>Seguir desplazamientos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Recognises each unit in all epochs, finds the stable units by a global congruence test and tests the displacement of every feature point and the rotation of every unit against it, with the covariance of fit and registration.</source>
+      <translation>Reconoce cada pieza en todas las épocas, halla las piezas estables con una prueba global de congruencia y prueba frente a ellas el desplazamiento de cada punto característico y el giro de cada pieza, con la covarianza del ajuste y del registro.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>A rotation near 60° or more is ambiguous by the symmetry of the tetrapod and is reported as such.</source>
+      <translation>Un giro cercano a 60° o mayor es ambiguo por la simetría del tetrápodo y se indica como tal.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>displacement,deformation analysis,congruence test,epoch,monitoring</source>
+      <translation>desplazamiento,análisis de deformación,prueba de congruencia,época,seguimiento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Layers of units from Fit tetrapods: one per epoch, each with its own label and time, all in one CRS.</source>
+      <translation>Capas de piezas de Ajustar tetrápodos: una por época, cada una con su nombre y hora, todas en un SRC.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>GeoPackages from Register to control, one per epoch; without them the clouds' own frames are taken as registered.</source>
+      <translation>GeoPackages de Registrar al control, uno por época; sin ellos los sistemas propios de las nubes se toman por registrados.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Fitted units of all epochs</source>
+      <translation>Piezas ajustadas de todas las épocas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Registrations</source>
+      <translation>Registros</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Give the units of at least two epochs.</source>
+      <translation>Indique las piezas de al menos dos épocas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>The layers of units have different CRS: {crs}.</source>
+      <translation>Las capas de piezas tienen SRC distintos: {crs}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>Validate against check points</source>
+      <translation>Validar con puntos de comprobación</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>Compares feature points of one epoch with the same points surveyed by total station or GNSS. Check points never take part in the fit: their differences show the accuracy that was reached.</source>
+      <translation>Compara los puntos característicos de una época con los mismos puntos medidos con estación total o GNSS. Los puntos de comprobación nunca entran en el ajuste: sus diferencias muestran la exactitud lograda.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>A check point is matched by the approximate centre of its unit; one that matches no unit is named and left out.</source>
+      <translation>Un punto de comprobación se empareja por el centro aproximado de su pieza; el que no encuentra ninguna se nombra y se omite.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>validation,accuracy,check points,total station,GNSS,RMSE</source>
+      <translation>validación,exactitud,puntos de comprobación,estación total,GNSS,EMC</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>Layer from Extract feature points, of one epoch.</source>
+      <translation>Capa de Extraer puntos característicos, de una época.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>Feature points</source>
+      <translation>Puntos característicos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/engine.py" />
+      <source>The tetratrack engine is not installed: open Settings &gt; Options &gt; Tetratrack and create its environment or choose one.</source>
+      <translation>El motor tetratrack no está instalado: abra Configuración &gt; Opciones &gt; Tetratrack y cree su entorno o elija uno.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/engine.py" />
+      <source>The engine ended unexpectedly (exit code {code}); QGIS and your data are unharmed.</source>
+      <translation>El motor terminó de forma inesperada (código {code}); QGIS y sus datos están intactos.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/engine.py" />
+      <source>The engine could not be started with {python}: {reason}.</source>
+      <translation>No se pudo iniciar el motor con {python}: {reason}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>found</source>
+      <translation>encontrada</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>uncertain</source>
+      <translation>incierta</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>new</source>
+      <translation>nueva</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>relocated</source>
+      <translation>arrastrada</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>arrow of 10 mm: 50 mm; ellipse: 95 %</source>
+      <translation>flecha de 10 mm: 50 mm; elipse: 95 %</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>below the detection limit</source>
+      <translation>bajo el límite de detección</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>significant, up to 50 mm</source>
+      <translation>significativo, hasta 50 mm</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>50 to 100 mm: watch</source>
+      <translation>50 a 100 mm: vigilancia</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>more than 100 mm: alert</source>
+      <translation>más de 100 mm: alerta</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>relocated unit</source>
+      <translation>pieza arrastrada</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>uncertain unit</source>
+      <translation>pieza incierta</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>observed</source>
+      <translation>observado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>derived from the rest of the unit</source>
+      <translation>deducido del resto de la pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>used</source>
+      <translation>usado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>disturbed, not used</source>
+      <translation>perturbado, no usado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>not used</source>
+      <translation>no usado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>check point</source>
+      <translation>punto de comprobación</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Displacements</source>
+      <translation>Desplazamientos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Displacements, other pairs and datum</source>
+      <translation>Desplazamientos, otros pares y otro datum</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Control residuals</source>
+      <translation>Residuos de control</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Check residuals</source>
+      <translation>Residuos de comprobación</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Reviews</source>
+      <translation>Revisiones</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Create a Python environment in {folder} and download about {size} of libraries into it?</source>
+      <translation>¿Crear un entorno Python en {folder} y descargar en él unos {size} de bibliotecas?</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Creating the tetratrack engine</source>
+      <translation>Creando el motor tetratrack</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Python interpreter of the engine</source>
+      <translation>Intérprete de Python del motor</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Empty uses the environment that the plugin creates.</source>
+      <translation>Vacío usa el entorno que crea el complemento.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Create the engine's environment…</source>
+      <translation>Crear el entorno del motor…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Engine</source>
+      <translation>Motor</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>State</source>
+      <translation>Estado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>The engine is ready.</source>
+      <translation>El motor está listo.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Python 3.11 or later was not found: install it, or choose an interpreter of the engine above.</source>
+      <translation>No se encontró Python 3.11 o posterior: instálelo, o elija arriba un intérprete del motor.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>The engine's environment could not be created: {reason}</source>
+      <translation>No se pudo crear el entorno del motor: {reason}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Used: {python}</source>
+      <translation>En uso: {python}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/provider.py" />
+      <source>Tetratrack: displacements of tetrapods</source>
+      <translation>Tetratrack: desplazamientos de tetrápodos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>deleted</source>
+      <translation>eliminada</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>merged</source>
+      <translation>fusionada</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>split</source>
+      <translation>dividida</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>new pose</source>
+      <translation>nueva pose</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>placeholder</source>
+      <translation>marcador</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Displacement review</source>
+      <translation>Revisión de desplazamientos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Open a result</source>
+      <translation>Abrir un resultado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>GeoPackage (*.gpkg)</source>
+      <translation>GeoPackage (*.gpkg)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
+      <translation>Abra el result.gpkg de un levantamiento con dos épocas o más para revisar sus desplazamientos.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Open result…</source>
+      <translation>Abrir resultado…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Previous unit (Up, or P for the previous undecided)</source>
+      <translation>Pieza anterior (Arriba, o P para la anterior sin decidir)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Next unit (Down, or N for the next undecided)</source>
+      <translation>Pieza siguiente (Abajo, o N para la siguiente sin decidir)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Zoom to the unit and flash it (Z)</source>
+      <translation>Acercar a la pieza y destellarla (Z)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The map follows the selection</source>
+      <translation>El mapa sigue a la selección</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Show all units</source>
+      <translation>Mostrar todas las piezas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Correct a unit</source>
+      <translation>Corregir una pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Write the report…</source>
+      <translation>Escribir el informe…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Export the alarm list…</source>
+      <translation>Exportar la lista de alarmas…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Epochs compared</source>
+      <translation>Épocas comparadas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Reference of the displacements</source>
+      <translation>Referencia de los desplazamientos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>All classes</source>
+      <translation>Todas las clases</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Classes shown</source>
+      <translation>Clases mostradas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
+      <translation>Menor desplazamiento 3D mostrado; las piezas perdidas, nuevas y arrastradas se muestran siempre</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Area of the units shown</source>
+      <translation>Área de las piezas mostradas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Everywhere</source>
+      <translation>En todas partes</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Undecided only</source>
+      <translation>Solo sin decidir</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Unit…</source>
+      <translation>Pieza…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Section along the displacement</source>
+      <translation>Sección a lo largo del desplazamiento</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
+      <translation>Dirección de la sección, desde el norte de la cuadrícula; cada contorno se corta por su propio centro</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Series</source>
+      <translation>Serie</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Numbers</source>
+      <translation>Números</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>History</source>
+      <translation>Historial</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Comment, stored with the decision</source>
+      <translation>Comentario, guardado con la decisión</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Reviewer</source>
+      <translation>Revisor</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Your name or initials, stored with every decision</source>
+      <translation>Su nombre o iniciales, guardados con cada decisión</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Check point</source>
+      <translation>Punto de comprobación</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Feature</source>
+      <translation>Punto característico</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Surveyed</source>
+      <translation>Medido</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Fitted</source>
+      <translation>Ajustado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Difference</source>
+      <translation>Diferencia</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Survey description</source>
+      <translation>Descripción del levantamiento</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Survey (*.toml)</source>
+      <translation>Levantamiento (*.toml)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>PDF (*.pdf);;Web page (*.html)</source>
+      <translation>PDF (*.pdf);;Página web (*.html)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Alarm list</source>
+      <translation>Lista de alarmas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Threshold (cm)</source>
+      <translation>Umbral (cm)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>CSV (*.csv);;GeoJSON (*.geojson)</source>
+      <translation>CSV (*.csv);;GeoJSON (*.geojson)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Cancelled.</source>
+      <translation>Cancelado.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Fit again after a click on the unit (earlier epoch)</source>
+      <translation>Ajustar de nuevo tras un clic en la pieza (época anterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Fit again after a click on the unit (later epoch)</source>
+      <translation>Ajustar de nuevo tras un clic en la pieza (época posterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Pin by three joints of legs (earlier epoch)</source>
+      <translation>Fijar por tres uniones de patas (época anterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Pin by three joints of legs (later epoch)</source>
+      <translation>Fijar por tres uniones de patas (época posterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Pick feature points beside the fit (earlier epoch)</source>
+      <translation>Señalar puntos característicos junto al ajuste (época anterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Pick feature points beside the fit (later epoch)</source>
+      <translation>Señalar puntos característicos junto al ajuste (época posterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Placeholder for a unit not found</source>
+      <translation>Marcador de una pieza no encontrada</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Merge the two selected units</source>
+      <translation>Fusionar las dos piezas seleccionadas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Split at the later epoch: two units taken for one</source>
+      <translation>Dividir en la época posterior: dos piezas tomadas por una</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Delete: not a unit</source>
+      <translation>Eliminar: no es una pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Take back the last correction</source>
+      <translation>Deshacer la última corrección</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Read the points around the units…</source>
+      <translation>Leer los puntos alrededor de las piezas…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Accept</source>
+      <translation>Aceptar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The displacement is right (A)</source>
+      <translation>El desplazamiento es correcto (A)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Reject</source>
+      <translation>Rechazar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
+      <translation>El desplazamiento es erróneo: sale de estadísticas, mapas e informe (R)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Inspect</source>
+      <translation>Inspeccionar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Inspect on site (I)</source>
+      <translation>Inspeccionar en el lugar (I)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Confirm</source>
+      <translation>Confirmar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Confirm another reviewer's decision (C)</source>
+      <translation>Confirmar la decisión de otro revisor (C)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Undo</source>
+      <translation>Deshacer</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Take back your last decision (U)</source>
+      <translation>Retirar su última decisión (U)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>3D displacement</source>
+      <translation>Desplazamiento 3D</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>in heights H, in Dn</source>
+      <translation>en alturas H, en Dn</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Horizontal</source>
+      <translation>Horizontal</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Detection limit</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Displacement</source>
+      <translation>Desplazamiento</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>none: one of the two positions is not known</source>
+      <translation>ninguno: una de las dos posiciones es desconocida</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Seen</source>
+      <translation>Visto</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Score</source>
+      <translation>Puntuación</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Legs seen</source>
+      <translation>Patas vistas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>In polygons</source>
+      <translation>En polígonos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>No unit passes the filter.</source>
+      <translation>Ninguna pieza pasa el filtro.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Confirmed.</source>
+      <translation>Confirmado.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Decisions of another reviewer were taken in.</source>
+      <translation>Se incorporaron decisiones de otro revisor.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Select a unit first.</source>
+      <translation>Seleccione primero una pieza.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The points around the units are needed: read them from the correction menu.</source>
+      <translation>Hacen falta los puntos alrededor de las piezas: léalos desde el menú de corrección.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The unit has no pose in any epoch to take its size from.</source>
+      <translation>La pieza no tiene pose en ninguna época de la que tomar su tamaño.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>pinned by three joints</source>
+      <translation>fijada por tres uniones</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
+      <translation>La pieza no se encontró en esta época: fíjela por tres uniones.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Select the two units to merge.</source>
+      <translation>Seleccione las dos piezas que se fusionan.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>There is no correction to take back.</source>
+      <translation>No hay corrección que deshacer.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Reading points around units</source>
+      <translation>Leyendo puntos alrededor de las piezas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Points read.</source>
+      <translation>Puntos leídos.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Writing the report</source>
+      <translation>Escribiendo el informe</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{shown} of {all} units shown</source>
+      <translation>{shown} de {all} piezas mostradas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} significant</source>
+      <translation>{count} significativas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} decided</source>
+      <translation>{count} decididas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} rejected, excluded from statistics and map</source>
+      <translation>{count} rechazadas, fuera de estadísticas y mapa</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>points not read yet</source>
+      <translation>puntos aún no leídos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Easting</source>
+      <translation>Este</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Northing</source>
+      <translation>Norte</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Height</source>
+      <translation>Altura</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Rotation</source>
+      <translation>Giro</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>significant</source>
+      <translation>significativo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>not significant</source>
+      <translation>no significativo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Test against no motion</source>
+      <translation>Prueba frente a inmovilidad</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Make a polygon layer active first.</source>
+      <translation>Active primero una capa de polígonos.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>In the map window</source>
+      <translation>En la ventana del mapa</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
+      <translation>Haga clic en el centro de la pieza en el mapa o en una vista; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
+      <translation>Haga clic en tres uniones donde se encuentran tres patas, en el mapa o en las vistas; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Click a joint where three legs meet; Escape ends.</source>
+      <translation>Haga clic en una unión donde se encuentran tres patas; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Click where the unit lies on the map; Escape ends.</source>
+      <translation>Haga clic donde está la pieza en el mapa; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>There are no points here; click on the cloud.</source>
+      <translation>Aquí no hay puntos; haga clic sobre la nube.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Fitting {unit} again</source>
+      <translation>Ajustando {unit} de nuevo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{unit} was fitted again.</source>
+      <translation>{unit} se ajustó de nuevo.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{unit} pinned; the picks fit within {length}.</source>
+      <translation>{unit} fijada; las marcas encajan dentro de {length}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{feature} picked, {length} from the fit.</source>
+      <translation>{feature} señalado, a {length} del ajuste.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Placeholder {name} stored; it counts as a unit not found.</source>
+      <translation>Marcador {name} guardado; cuenta como pieza no encontrada.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{title}…</source>
+      <translation>{title}…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{name} is read-only: you can look, but decisions cannot be stored.</source>
+      <translation>{name} es de solo lectura: puede mirar, pero no se pueden guardar decisiones.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>In the active layer's polygons</source>
+      <translation>En los polígonos de la capa activa</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} lost</source>
+      <translation>{count} perdidas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} new</source>
+      <translation>{count} nuevas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>largest {length}</source>
+      <translation>máximo {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Nobody has decided on this unit yet.</source>
+      <translation>Nadie ha decidido aún sobre esta pieza.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{units}: {decision}, stored.</source>
+      <translation>{units}: {decision}, guardado.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Taken back: {units}.</source>
+      <translation>Retirado: {units}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} of 3 joints.</source>
+      <translation>{count} de 3 uniones.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{other} is now {keep}.</source>
+      <translation>{other} es ahora {keep}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{unit} is called {name} from {epoch} on.</source>
+      <translation>{unit} se llama {name} desde {epoch}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{unit} was deleted; take it back from the correction menu.</source>
+      <translation>{unit} se eliminó; recupérela desde el menú de corrección.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Report written to {name}.</source>
+      <translation>Informe escrito en {name}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} units written to {name}.</source>
+      <translation>{count} piezas escritas en {name}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Picked by hand</source>
+      <translation>Señalado a mano</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>taken back</source>
+      <translation>retirado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Taken back: {kind} {unit}.</source>
+      <translation>Retirado: {kind} {unit}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Check points ({unit})</source>
+      <translation>Puntos de comprobación ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
+      <translation>{feature}, {epoch}: señalado a {length} del ajuste ({who})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
+      <source>Units reviewed</source>
+      <translation>Piezas revisadas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
+      <source>Displacements reviewed</source>
+      <translation>Desplazamientos revisados</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
+      <source>Displacements reviewed, other pair or datum</source>
+      <translation>Desplazamientos revisados, otro par o datum</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
+      <source>Rejected units (excluded)</source>
+      <translation>Piezas rechazadas (excluidas)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
+      <source>Displacement review: {name}</source>
+      <translation>Revisión de desplazamientos: {name}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>Plan</source>
+      <translation>Planta</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>Select a unit</source>
+      <translation>Seleccione una pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>N</source>
+      <translation>N</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>No displacement of this unit</source>
+      <translation>Sin desplazamiento de esta pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>centre</source>
+      <translation>centro</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>Section {azimuth}°</source>
+      <translation>Sección {azimuth}°</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>3D displacement ({unit})</source>
+      <translation>Desplazamiento 3D ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>detection limit</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>stable</source>
+      <translation>estable</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>moved</source>
+      <translation>movida</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>rotated</source>
+      <translation>girada</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>lost</source>
+      <translation>perdida</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>unseen</source>
+      <translation>no vista</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Unit</source>
+      <translation>Pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Class</source>
+      <translation>Clase</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Displ.</source>
+      <translation>Despl.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Horiz.</source>
+      <translation>Horiz.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Vert.</source>
+      <translation>Vert.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Rot.</source>
+      <translation>Giro</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>p</source>
+      <translation>p</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Decision</source>
+      <translation>Decisión</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Name of the unit, the same in all epochs</source>
+      <translation>Nombre de la pieza, el mismo en todas las épocas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Class of the displacement, or the unit's fate</source>
+      <translation>Clase del desplazamiento, o destino de la pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Rotation between the epochs (degrees)</source>
+      <translation>Giro entre las épocas (grados)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Probability of so large a displacement if the unit stood still; bold where significant</source>
+      <translation>Probabilidad de un desplazamiento tan grande si la pieza no se movió; en negrita si es significativo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Share of the unit's surface that holds points, in the worse epoch</source>
+      <translation>Parte de la superficie de la pieza que tiene puntos, en la peor época</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Decision of the reviewers</source>
+      <translation>Decisión de los revisores</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Who decided, and ✓ who confirmed</source>
+      <translation>Quién decidió, y ✓ quién confirmó</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>accepted</source>
+      <translation>aceptado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>rejected</source>
+      <translation>rechazado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>inspect on site</source>
+      <translation>inspeccionar en el lugar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>stable units and control</source>
+      <translation>piezas estables y control</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>control points alone</source>
+      <translation>solo puntos de control</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>decided</source>
+      <translation>decidió</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>confirmed</source>
+      <translation>confirmó</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>took back</source>
+      <translation>retiró</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>3D displacement of the centre ({unit})</source>
+      <translation>Desplazamiento 3D del centro ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Horizontal displacement of the centre ({unit})</source>
+      <translation>Desplazamiento horizontal del centro ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Vertical displacement of the centre, positive up ({unit})</source>
+      <translation>Desplazamiento vertical del centro, positivo hacia arriba ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/tetratrack_plugin.py" />
+      <source>Monitor a survey…</source>
+      <translation>Seguir un levantamiento…</translation>
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Comparison with surveyed check points</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Picked by hand (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Fitting (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Surveyed (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Error, picked (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Error, fitting (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>3D displacements of the same feature point, in the control frame (after Chan and Lichti, Table 1).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>The survey has no check points that both epochs share.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Survey control</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Congruence of the stable units</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Units that stand still together: {stable} of {all}; test of their congruence: p {p}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Their common motion against the control points: east {e}, north {n}, up {h} cm; p {p}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Point</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>East (mm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>North (mm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Height (mm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Use</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>disturbed, left out</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Residuals of the registration; w is the largest normalised residual of the three coordinates.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>There is no survey control: displacements are relative to the frame of the clouds.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Damage</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>H = {height} m, Dn = {diameter} m. Lost and relocated units count as displaced by every threshold.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Displaced by at least</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Threshold (m)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Share</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>over {width} m: units displaced by one Dn or more, relocated or lost, per Dn of width (van der Meer, 1988).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Sections along the axis</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Share of displaced units per section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Chainage (m)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>No unit has a displacement to show.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>Decisions and corrections</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>Confirmed by</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>Comment</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>No reviewer has decided on this epoch pair.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>Correction</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>By</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_displacements.html" />
+      <source>Map of displacements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_displacements.html" />
+      <source>Displacement of the units' centres.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_displacements.html" />
+      <source>Histogram of displacements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_displacements.html" />
+      <source>Displacements of all units with the thresholds of the next section.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_map.html" />
+      <source>Map of the units by class</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_map.html" />
+      <source>Units by class and control points; coordinates in {crs}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Method, settings and versions</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Units are found in the point cloud as four cones with a common centre, adjusted to their points (Gauss-Helmert model), and brought into the frame of the survey control; displacements are differences of the feature points that follow from the adjusted model, tested against their covariance (after Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Time</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>σ0 of the registration</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Software</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Settings</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Written {moment} by {software}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Summary</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Units judged</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Significant displacements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Lost</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Relocated</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>New</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Not seen in the later epoch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Displaced by 5 cm or more</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Displaced by 10 cm or more</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Decided by reviewers</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Rejected by reviewers</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Units known to be missing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Completeness</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Units rejected by reviewers and left out of all figures, maps and tables below: {count}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Units that no reviewer has decided on yet: {count}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_worst.html" />
+      <source>Units with the largest displacements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_worst.html" />
+      <source>East {e}, north {n}, up {h} cm; rotation {turn}; p {p}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_worst.html" />
+      <source>Plan and section of {unit}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_worst.html" />
+      <source>Series of {unit}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_worst.html" />
+      <source>No displacement is significant.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>control used</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>control not used</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>arrows: significant horizontal displacements, enlarged {scale} times</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>3D displacement (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>all units</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>units</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>plan</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>section {azimuth}°</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>chainage along the axis (m)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>units ≥ 10 cm (%)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>easting (m)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>northing (m)</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+</TS>

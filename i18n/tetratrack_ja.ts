@@ -1,0 +1,2502 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja_JP" sourcelanguage="en">
+  <context>
+    <name>tetratrack</name>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Units at the common centre of their cones, with orientation, standard deviations (m, degrees), score and status.</source>
+      <translation>円錐の共通中心に置かれたブロック。姿勢、標準偏差(m、度)、スコア、状態を含む。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Centre and the four joints of three cones (f123, f124, f134, f234) of every unit, with covariance (m, m²).</source>
+      <translation>各ブロックの中心と3つの円錐の接合点4点(f123、f124、f134、f234)。共分散(m、m²)付き。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Displacement of every feature point between consecutive epochs (m), with test statistic and class.</source>
+      <translation>連続する時期間の各特徴点の変位(m)。検定統計量と区分付き。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Residuals at the control points (m), with normalised residual; disturbed points are marked.</source>
+      <translation>基準点の残差(m)と標準化残差。乱れた点には印を付ける。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Feature points less surveyed check points (m).</source>
+      <translation>特徴点から検証点の測量値を引いた差(m)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Monitoring</source>
+      <translation>モニタリング</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Single steps</source>
+      <translation>個別ステップ</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Planning and simulation</source>
+      <translation>計画とシミュレーション</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Inputs and outputs</source>
+      <translation>入力と出力</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Limits</source>
+      <translation>限界</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>The engine's result holds no layer {layer}.</source>
+      <translation>エンジンの結果にレイヤ {layer} がありません。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/base.py" />
+      <source>Numbers for models</source>
+      <translation>モデル用の数値</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Displacement report</source>
+      <translation>変位報告書</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Writes the report of a result as reviewed so far: summary, control quality, displacement map and table, worst units, damage figures, method, settings and versions.</source>
+      <translation>現時点の照査結果に基づく報告書を作成する:要約、基準点の品質、変位図と表、変位の大きいブロック、被災指標、手法、設定、バージョン。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Rejected units are left out of the statistics and listed apart. PDF needs the library weasyprint in the engine.</source>
+      <translation>棄却したブロックは統計から除き、別に一覧する。PDFにはエンジンのライブラリ weasyprint が必要。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>report,HTML,PDF,damage,displacement</source>
+      <translation>報告書,HTML,PDF,被災,変位</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>GeoPackage written by Monitor a survey.</source>
+      <translation>「測量のモニタリング」が書き出した GeoPackage。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>HTML in one file, or PDF; the ending decides.</source>
+      <translation>1ファイルの HTML または PDF。拡張子で決まる。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Result</source>
+      <translation>結果</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Report</source>
+      <translation>報告書</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Extract feature points</source>
+      <translation>特徴点の抽出</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Derives the centre and the four points where three cone surfaces meet on the outside of each unit, with the covariance carried over from the fit. These points can be surveyed by total station as well.</source>
+      <translation>各ブロックの中心と、外側で3つの円錐面が交わる4点を求め、当てはめの共分散を伝播する。これらの点はトータルステーションでも測量できる。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>A joint is marked as observed only where points lie next to it; otherwise it follows from the rest of the unit.</source>
+      <translation>接合点は、すぐ近くに点がある場合だけ「観測」とし、それ以外はブロックの残りの部分から導く。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>feature points,cone intersection,centre,covariance propagation</source>
+      <translation>特徴点,円錐の交点,中心,共分散伝播</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Layer of units from Fit tetrapods or Monitor a survey.</source>
+      <translation>「テトラポッドの当てはめ」または「測量のモニタリング」のブロックレイヤ。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Fitted units</source>
+      <translation>当てはめたブロック</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Points</source>
+      <translation>点</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>Fit tetrapods</source>
+      <translation>テトラポッドの当てはめ</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>Fits four equal cones that share a centre to the points of each unit by an iterated Gauss–Helmert adjustment with robust weights, end discs and removal of the curvature bias; gives pose, radius, taper and their covariance.</source>
+      <translation>中心を共有する4つの等しい円錐を、各ブロックの点に反復ガウス・ヘルマート調整で当てはめる。ロバスト重み、端面、曲率による偏りの除去を含み、姿勢、半径、テーパーとその共分散を与える。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>With one visible leg the twist about its axis is undetermined: the unit says so in its large standard deviation.</source>
+      <translation>見える脚が1本だけの場合、軸まわりの回転は決まらない。大きな標準偏差がそれを示す。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>adjustment,Gauss-Helmert,least squares,cone,pose,covariance</source>
+      <translation>調整計算,ガウス・ヘルマート,最小二乗法,円錐,姿勢,共分散</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>Layer of units from Segment tetrapods, with the fields qx, qy, qz, qw of their orientation.</source>
+      <translation>「テトラポッドの分割」のブロックレイヤ。姿勢のフィールド qx、qy、qz、qw を含む。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>Units found</source>
+      <translation>検出したブロック</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/fittetrapods.py" />
+      <source>Units fitted</source>
+      <translation>当てはめたブロック数</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
+      <translation>LAS、LAZ、COPC ファイル、そのフォルダ、仮想点群(.vpc)または点群レイヤ。座標はメートル。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Projected CRS in metres; empty takes that of the tiles, and a local frame if they declare none.</source>
+      <translation>メートル単位の投影座標系。空ならタイルの座標系、宣言がなければ局所座標系を使う。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Label of this survey in all results, for example its date.</source>
+      <translation>すべての結果に付く、この測量の名前。例:日付。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Drives the temporal controller; empty takes the date of the first tile.</source>
+      <translation>時系列コントローラを動かす。空なら最初のタイルの日付を使う。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Estimates both from the best-seen units and holds them: moulds differ by centimetres from the standard proportions.</source>
+      <translation>最もよく見えるブロックから両方を推定して固定する。型枠は標準比率から数センチメートル異なる。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Type of unit</source>
+      <translation>ブロックの種類</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Catalogue name with the mass in tonnes, such as tetrapod 8 t; or tetrapod with a height of your own.</source>
+      <translation>質量(トン)付きのカタログ名(例:tetrapod 8 t)、または高さを指定した tetrapod。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>From the plane under three legs to the top of the fourth, in metres; overrides the catalogue.</source>
+      <translation>3本の脚の下の平面から4本目の先端まで(メートル)。カタログの値に優先する。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Radius of a leg's cone at the unit's centre, in metres; empty takes 0.264 H.</source>
+      <translation>ブロック中心における脚の円錐の半径(メートル)。空なら 0.264 H。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Loss of radius per metre along the leg's axis; empty takes 0.176.</source>
+      <translation>脚の軸方向1メートルあたりの半径の減少。空なら 0.176。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
+      <translation>中心から端面まで(メートル)。空なら 0.644 H。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations.</source>
+      <translation>実物のテトラポッドは正四面体形。脚1と他の脚の間の120°は論文の式を再現する。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Polygon inside which units are looked for; its outer ring is used. Empty means everywhere.</source>
+      <translation>ブロックを探す範囲のポリゴン。外周を使う。空なら全域。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Blocks of the survey worked on at the same time; each takes about 1 GB of memory.</source>
+      <translation>同時に処理する測量の区画数。1つにつき約1 GBのメモリを使う。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Surveyed targets: point layer or CSV with point_id, easting, northing, height, sd_e, sd_n, sd_h (m).</source>
+      <translation>測量済みターゲット:point_id、easting、northing、height、sd_e、sd_n、sd_h(m)を持つ点レイヤまたは CSV。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>The same targets as measured in this epoch's cloud: point layer or CSV with point_id, x, y, z (m).</source>
+      <translation>この時期の点群で測った同じターゲット:point_id、x、y、z(m)を持つ点レイヤまたは CSV。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Surveyed joints of cones, for validation only: CSV or layer with point_id, unit_easting, unit_northing, unit_height and position (m).</source>
+      <translation>測量した円錐の接合点(検証専用):point_id、unit_easting、unit_northing、unit_height と位置(m)を持つ CSV またはレイヤ。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Give the height H of the unit, or choose a catalogue name with its mass, such as tetrapod 8 t.</source>
+      <translation>ブロックの高さ H を指定するか、tetrapod 8 t のような質量付きカタログ名を選んでください。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>The type of unit must be tetrapod, or a catalogue name such as tetrapod 8 t.</source>
+      <translation>ブロックの種類は tetrapod、または tetrapod 8 t のようなカタログ名にしてください。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Control points and targets in the cloud belong together: give both, or neither.</source>
+      <translation>基準点と点群中のターゲットは対です。両方指定するか、どちらも指定しないでください。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>CRS of the results</source>
+      <translation>結果の座標系</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Epoch</source>
+      <translation>時期</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Time of the survey (UTC)</source>
+      <translation>測量の時刻(UTC)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Calibrate radius and taper</source>
+      <translation>半径とテーパーを校正する</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Height H of the unit (m)</source>
+      <translation>ブロックの高さ H(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Cone radius at the centre (m)</source>
+      <translation>中心における円錐の半径(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Taper of the leg</source>
+      <translation>脚のテーパー</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Leg length (m)</source>
+      <translation>脚の長さ(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Angle between the legs</source>
+      <translation>脚の間の角度</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Area of interest</source>
+      <translation>対象範囲</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Worker processes</source>
+      <translation>ワーカープロセス数</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Control points</source>
+      <translation>基準点</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Targets in the cloud</source>
+      <translation>点群中のターゲット</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Check points</source>
+      <translation>検証点</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>The cone radius must be smaller than half the height of the unit.</source>
+      <translation>円錐の半径はブロックの高さの半分より小さくしてください。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>The area of interest holds no polygon.</source>
+      <translation>対象範囲にポリゴンがありません。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>The area of interest has several separate parts; give one polygon.</source>
+      <translation>対象範囲が複数に分かれています。1つのポリゴンにしてください。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>Point cloud tiles</source>
+      <translation>点群タイル</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>tetrahedral (109.5°)</source>
+      <translation>正四面体形(109.5°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>as in the paper (120°)</source>
+      <translation>論文どおり(120°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{crs} is geographic; choose a projected CRS in metres.</source>
+      <translation>{crs} は地理座標系です。メートル単位の投影座標系を選んでください。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{where}: no LAS or LAZ file is given.</source>
+      <translation>{where}:LAS または LAZ ファイルが指定されていません。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{where}: there is no file or layer {path}.</source>
+      <translation>{where}:ファイルまたはレイヤ {path} がありません。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{layer} has no field {fields}; it has {present}.</source>
+      <translation>{layer} にフィールド {fields} がありません。あるのは {present} です。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{where}: the folder {path} holds no LAS or LAZ file.</source>
+      <translation>{where}:フォルダ {path} に LAS または LAZ ファイルがありません。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{where}: {path} is not a virtual point cloud.</source>
+      <translation>{where}:{path} は仮想点群ではありません。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Inspect tiles</source>
+      <translation>タイルの点検</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Lists point cloud tiles with their extent, CRS, number and density of points and range of heights. Run it first: it shows missing CRS, gaps, overlaps and tiles too thin to find units in.</source>
+      <translation>点群タイルの範囲、座標系、点数、密度、高さの範囲を一覧する。最初に実行すると、座標系の欠落、隙間、重複、点が少なすぎるタイルが分かる。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Reads headers and a sample of points; a damaged tile is named and ends the run.</source>
+      <translation>ヘッダと点の一部を読む。壊れたタイルがあれば名前を示して終了する。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>point cloud,LAS,LAZ,tile index,density,CRS,extent</source>
+      <translation>点群,LAS,LAZ,タイル索引,密度,座標系,範囲</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>One rectangle per tile with file, CRS, points, density (points/m²) and heights (m).</source>
+      <translation>タイルごとに1つの矩形。ファイル、座標系、点数、密度(点/m²)、高さ(m)を持つ。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Tile index</source>
+      <translation>タイル索引</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Tiles</source>
+      <translation>タイル数</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>Median density (points/m²)</source>
+      <translation>密度の中央値(点/m²)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inspecttiles.py" />
+      <source>CRS of the tiles</source>
+      <translation>タイルの座標系</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Monitor a survey</source>
+      <translation>測量のモニタリング</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>All steps at once: registers every epoch to survey control, finds the tetrapods, fits four cones that share a centre, derives feature points and tests their displacements. Give a survey.toml, or the epochs and the unit.</source>
+      <translation>全ステップを一度に行う:各時期を基準点に登録し、テトラポッドを見つけ、中心を共有する4つの円錐を当てはめ、特徴点を導いて変位を検定する。survey.toml、または時期とブロックを指定する。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Units of which less than about 5 % is seen are not found. Without control the cloud's own frame is used, and the result says so.</source>
+      <translation>見えている部分が約5 %未満のブロックは見つからない。基準点がなければ点群自身の座標系を使い、結果にその旨を示す。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>tetrapod,armour unit,breakwater,displacement,monitoring,LAS,LAZ,deformation</source>
+      <translation>テトラポッド,消波ブロック,防波堤,変位,モニタリング,LAS,LAZ,変形</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>A survey.toml; if given, it states everything, and the fields for epochs, unit, CRS and area are not used.</source>
+      <translation>survey.toml。指定するとこれがすべてを決め、時期、ブロック、座標系、範囲の欄は使わない。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Label</source>
+      <translation>名前</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Time (UTC)</source>
+      <translation>時刻(UTC)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>One row per epoch: label, time such as 2025-03-14T02:30, folder or files of tiles (separated by ;), CSV files or layers.</source>
+      <translation>時期ごとに1行:名前、2025-03-14T02:30 のような時刻、タイルのフォルダまたはファイル(; で区切る)、CSV ファイルまたはレイヤ。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Writes a top view of each epoch as GeoTIFF beside the result, as a backdrop.</source>
+      <translation>各時期の平面図を背景用の GeoTIFF として結果の隣に書き出す。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Adds all layers to the project as a group with their styles.</source>
+      <translation>全レイヤをスタイル付きのグループとしてプロジェクトに追加する。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>GeoPackage with units, feature points, displacements, residuals, epochs and reviews, in the survey's CRS, times in UTC.</source>
+      <translation>ブロック、特徴点、変位、残差、時期、照査を含む GeoPackage。測量の座標系、時刻は UTC。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Survey file</source>
+      <translation>測量ファイル</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Epochs</source>
+      <translation>時期の数</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Shaded relief of each epoch</source>
+      <translation>各時期の陰影図</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Load the result</source>
+      <translation>結果を読み込む</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Units moved</source>
+      <translation>動いたブロック</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>RMSE at check points (m)</source>
+      <translation>検証点の RMSE(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Give a survey.toml, or at least one epoch with its tiles.</source>
+      <translation>survey.toml、または少なくとも1つの時期とそのタイルを指定してください。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Every epoch needs six columns: label, time, tiles, control points, targets, check points.</source>
+      <translation>各時期には6列が必要です:名前、時刻、タイル、基準点、ターゲット、検証点。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Epoch {label}</source>
+      <translation>時期 {label}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>{where}: {path} cannot be read as a point layer or CSV file.</source>
+      <translation>{where}:{path} は点レイヤまたは CSV ファイルとして読めません。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>The folder {folder} does not exist.</source>
+      <translation>フォルダ {folder} がありません。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Plan a survey: detectable displacement</source>
+      <translation>測量計画:検出可能な変位</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Computes which displacement and rotation of a unit a planned survey will find, from point density, noise, visible share and registration: the Cramér–Rao bound of the adjustment for the unit's geometry, and Baarda's detectability.</source>
+      <translation>点密度、ノイズ、可視率、登録精度から、計画した測量で検出できるブロックの変位と回転を求める。ブロック形状に対する調整計算のクラメール・ラオ限界と、バールダの検出力による。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>White noise is averaged over the points of a unit; whatever does not average out must be stated as systematic part.</source>
+      <translation>白色ノイズはブロックの点で平均される。平均されないものは系統成分として指定する。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>planning,detectability,point density,noise,Cramér-Rao bound,minimal detectable displacement</source>
+      <translation>計画,検出可能性,点密度,ノイズ,クラメール・ラオ限界,最小検出変位</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Point density (points/m²)</source>
+      <translation>点密度(点/m²)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>On a surface that faces the instrument, all flight strips or stations together.</source>
+      <translation>機器に向いた面で、全コースまたは全測点の合計。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Noise of a point (m)</source>
+      <translation>点のノイズ(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Standard deviation along the surface normal, in metres.</source>
+      <translation>面の法線方向の標準偏差(メートル)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Visible share of a unit</source>
+      <translation>ブロックの可視率</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Share of a unit's surface that holds points, 0 to 1; in a pile 0.05 to 0.5.</source>
+      <translation>点のある表面の割合(0〜1)。積み重なった状態では 0.05〜0.5。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Registration (m)</source>
+      <translation>登録(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Standard deviation of an epoch's registration at the unit, per coordinate, in metres.</source>
+      <translation>ブロック位置における1時期の登録の標準偏差。座標ごと、メートル。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Systematic part (m)</source>
+      <translation>系統成分(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Strip offsets, roughness and growth that do not average out, per coordinate, in metres.</source>
+      <translation>平均されないコース間のずれ、粗さ、付着生物。座標ごと、メートル。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Line of sight from the vertical (degrees)</source>
+      <translation>視線の鉛直からの角度(度)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>0 from the air; about 70 from the crown wall.</source>
+      <translation>上空からは 0、天端壁からは約 70。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Calibrated and held; otherwise they are estimated for every unit, which costs accuracy.</source>
+      <translation>校正して固定する。そうでなければブロックごとに推定し、精度が下がる。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Level of significance</source>
+      <translation>有意水準</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Probability of a false alarm for one unit.</source>
+      <translation>1つのブロックで誤警報が出る確率。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Power</source>
+      <translation>検出力</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Probability with which the displacement is found.</source>
+      <translation>変位が検出される確率。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Points on a unit</source>
+      <translation>ブロックあたりの点数</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Standard deviation of the centre (m)</source>
+      <translation>中心の標準偏差(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Standard deviation of the rotation (degrees)</source>
+      <translation>回転の標準偏差(度)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Standard deviation of a displacement (m)</source>
+      <translation>変位の標準偏差(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Detectable displacement, worst direction (m)</source>
+      <translation>検出可能な変位、最悪の方向(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Detectable displacement, mean (m)</source>
+      <translation>検出可能な変位、平均(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Detectable rotation (degrees)</source>
+      <translation>検出可能な回転(度)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>The level of significance must be below the power.</source>
+      <translation>有意水準は検出力より小さくしてください。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Radius and taper are known</source>
+      <translation>半径とテーパーは既知</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>Register to control</source>
+      <translation>基準点への登録</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>Estimates the rigid transformation from an epoch's cloud to survey control from targets, weighted by their standard deviations, and finds disturbed targets by data snooping on normalised residuals.</source>
+      <translation>1時期の点群から基準点系への剛体変換を、標準偏差で重み付けしたターゲットから推定し、標準化残差のデータスヌーピングで乱れたターゲットを見つける。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>Needs three targets that do not lie in one line; an outlier is found from four, and named surely from five.</source>
+      <translation>一直線上にない3点のターゲットが必要。異常値は4点から見つかり、5点から確実に特定できる。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>registration,control points,targets,transformation,data snooping,georeferencing</source>
+      <translation>登録,基準点,ターゲット,座標変換,データスヌーピング,ジオリファレンス</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>GeoPackage whose table epochs holds the seven parameters and their covariance.</source>
+      <translation>表 epochs に7パラメータとその共分散を持つ GeoPackage。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>Registration</source>
+      <translation>登録結果</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>RMSE at control points (m)</source>
+      <translation>基準点の RMSE(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registertocontrol.py" />
+      <source>Disturbed targets</source>
+      <translation>乱れたターゲット</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Register views</source>
+      <translation>ビューの登録</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Brings overlapping views of a depth camera or scanner stations into the frame of the first by multiway ICP with a pose graph, and writes one cloud in which every view keeps its number as point source id.</source>
+      <translation>深度カメラまたはスキャナ測点の重なり合うビューを、ポーズグラフを用いた多方向 ICP で最初のビューの座標系に合わせ、各ビューの番号を点源 ID とする1つの点群を書き出す。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Views must overlap by a third or more and be roughly aligned; views that do not connect are named.</source>
+      <translation>ビューは3分の1以上重なり、おおよそ位置が合っていること。つながらないビューは名前を示す。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>registration,ICP,pose graph,depth camera,multi-view</source>
+      <translation>登録,ICP,ポーズグラフ,深度カメラ,多視点</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Resolution at which views are matched, in metres; empty derives it from the point spacing.</source>
+      <translation>ビューを照合する解像度(メートル)。空なら点間隔から決める。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>One LAZ file in the frame of the first view.</source>
+      <translation>最初のビューの座標系の LAZ ファイル1つ。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Views</source>
+      <translation>ビュー</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Voxel size (m)</source>
+      <translation>ボクセルの大きさ(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>Registered cloud</source>
+      <translation>登録した点群</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/registerviews.py" />
+      <source>RMSE between views (m)</source>
+      <translation>ビュー間の RMSE(m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/segmenttetrapods.py" />
+      <source>Segment tetrapods</source>
+      <translation>テトラポッドの分割</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/segmenttetrapods.py" />
+      <source>Finds every tetrapod in a pile: cones from pairs of oriented points, legs that agree on a common centre and on the angles between them, and verification against the visible surface and against empty space.</source>
+      <translation>山の中のテトラポッドをすべて見つける:法線付きの点の対から円錐、中心と脚の角度が一致する脚、見える面と空いた空間による検証。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/segmenttetrapods.py" />
+      <source>Units of which less than about 5 % is seen are not found; weak evidence has the status uncertain. Poses are approximate: fit them next.</source>
+      <translation>見えている部分が約5 %未満のブロックは見つからない。証拠が弱いものは「不確か」とする。姿勢は概略なので、次に当てはめを行う。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/segmenttetrapods.py" />
+      <source>segmentation,RANSAC,cone,tetrapod,armour unit,detection</source>
+      <translation>分割,RANSAC,円錐,テトラポッド,消波ブロック,検出</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Simulate a survey</source>
+      <translation>測量のシミュレーション</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Writes a simulated survey of a tetrapod slope with known poses: LAZ tiles, control, check points and survey.toml. Use it to try the chain, to train, or to test a planned density and noise.</source>
+      <translation>姿勢が既知のテトラポッド斜面の模擬測量を書き出す:LAZ タイル、基準点、検証点、survey.toml。手順の試行、練習、計画した密度とノイズの確認に使う。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Simulated surfaces are cleaner than real ones; judge a plan with some reserve.</source>
+      <translation>模擬の表面は実物よりきれいなので、計画は余裕をもって判断する。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>simulation,synthetic,ground truth,test data</source>
+      <translation>シミュレーション,合成,真値,試験データ</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>UAV laser scanner</source>
+      <translation>UAV レーザスキャナ</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>terrestrial laser scanner</source>
+      <translation>地上レーザスキャナ</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>photogrammetry</source>
+      <translation>写真測量</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>depth camera</source>
+      <translation>深度カメラ</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Decides viewpoints, hidden parts and, unless stated, noise and density.</source>
+      <translation>視点、隠れる部分、指定がなければノイズと密度を決める。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Number of units on the slope.</source>
+      <translation>斜面上のブロックの数。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Number of surveys; some units move between them.</source>
+      <translation>測量の回数。その間に一部のブロックが動く。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Standard deviation of the range, in metres; empty takes that of the instrument.</source>
+      <translation>距離の標準偏差(メートル)。空なら機器の値を使う。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>On the ground; empty takes that of the instrument.</source>
+      <translation>地面上の密度。空なら機器の値を使う。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>The same seed gives the same survey.</source>
+      <translation>同じシードからは同じ測量ができる。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Receives tiles, CSV files, survey.toml and truth.</source>
+      <translation>タイル、CSV ファイル、survey.toml、真値を受け取る。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Instrument</source>
+      <translation>機器</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Units</source>
+      <translation>ブロック</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Seed</source>
+      <translation>シード</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Survey folder</source>
+      <translation>測量フォルダ</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>survey.toml of the simulated survey</source>
+      <translation>模擬測量の survey.toml</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/survey_algorithm.py" />
+      <source>The tiles declare no CRS: results are in a local frame. Choose the CRS of the results to change that.</source>
+      <translation>タイルに座標系の宣言がないため、結果は局所座標系です。変えるには結果の座標系を選んでください。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Track displacements</source>
+      <translation>変位の追跡</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Recognises each unit in all epochs, finds the stable units by a global congruence test and tests the displacement of every feature point and the rotation of every unit against it, with the covariance of fit and registration.</source>
+      <translation>各ブロックを全時期で同定し、全体の合同検定で安定なブロックを見つけ、それに対して各特徴点の変位と各ブロックの回転を、当てはめと登録の共分散を用いて検定する。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>A rotation near 60° or more is ambiguous by the symmetry of the tetrapod and is reported as such.</source>
+      <translation>60°前後以上の回転は、テトラポッドの対称性のため曖昧であり、その旨を報告する。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>displacement,deformation analysis,congruence test,epoch,monitoring</source>
+      <translation>変位,変形解析,合同検定,時期,モニタリング</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Layers of units from Fit tetrapods: one per epoch, each with its own label and time, all in one CRS.</source>
+      <translation>「テトラポッドの当てはめ」のブロックレイヤ:時期ごとに1つ、それぞれ名前と時刻を持ち、すべて同じ座標系。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>GeoPackages from Register to control, one per epoch; without them the clouds' own frames are taken as registered.</source>
+      <translation>「基準点への登録」の GeoPackage、時期ごとに1つ。なければ点群自身の座標系を登録済みとみなす。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Fitted units of all epochs</source>
+      <translation>全時期の当てはめたブロック</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Registrations</source>
+      <translation>登録結果(複数)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>Give the units of at least two epochs.</source>
+      <translation>少なくとも2時期のブロックを指定してください。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>The layers of units have different CRS: {crs}.</source>
+      <translation>ブロックのレイヤの座標系が異なります:{crs}。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>Validate against check points</source>
+      <translation>検証点との比較</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>Compares feature points of one epoch with the same points surveyed by total station or GNSS. Check points never take part in the fit: their differences show the accuracy that was reached.</source>
+      <translation>1時期の特徴点を、トータルステーションまたは GNSS で測量した同じ点と比べる。検証点は当てはめに使わないので、差は得られた精度を示す。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>A check point is matched by the approximate centre of its unit; one that matches no unit is named and left out.</source>
+      <translation>検証点はブロックの概略中心で対応付ける。対応するブロックのないものは名前を示して除く。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>validation,accuracy,check points,total station,GNSS,RMSE</source>
+      <translation>検証,精度,検証点,トータルステーション,GNSS,RMSE</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>Layer from Extract feature points, of one epoch.</source>
+      <translation>「特徴点の抽出」のレイヤ(1時期分)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/validatesurvey.py" />
+      <source>Feature points</source>
+      <translation>特徴点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/engine.py" />
+      <source>The tetratrack engine is not installed: open Settings &gt; Options &gt; Tetratrack and create its environment or choose one.</source>
+      <translation>tetratrack エンジンがインストールされていません。設定 &gt; オプション &gt; Tetratrack を開き、環境を作成するか選択してください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/engine.py" />
+      <source>The engine ended unexpectedly (exit code {code}); QGIS and your data are unharmed.</source>
+      <translation>エンジンが予期せず終了しました(終了コード {code})。QGIS とデータは無事です。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/engine.py" />
+      <source>The engine could not be started with {python}: {reason}.</source>
+      <translation>{python} でエンジンを起動できませんでした:{reason}。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>found</source>
+      <translation>検出</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>uncertain</source>
+      <translation>不確か</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>new</source>
+      <translation>新規</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>relocated</source>
+      <translation>移設</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>arrow of 10 mm: 50 mm; ellipse: 95 %</source>
+      <translation>矢印 10 mm = 50 mm、楕円 = 95 %</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>below the detection limit</source>
+      <translation>検出限界未満</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>significant, up to 50 mm</source>
+      <translation>有意、50 mm 以下</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>50 to 100 mm: watch</source>
+      <translation>50〜100 mm:注意</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>more than 100 mm: alert</source>
+      <translation>100 mm 超:警報</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>relocated unit</source>
+      <translation>移設されたブロック</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>uncertain unit</source>
+      <translation>不確かなブロック</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>observed</source>
+      <translation>観測</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>derived from the rest of the unit</source>
+      <translation>ブロックの残りから導出</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>used</source>
+      <translation>使用</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>disturbed, not used</source>
+      <translation>乱れあり、不使用</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>not used</source>
+      <translation>不使用</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>check point</source>
+      <translation>検証点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Displacements</source>
+      <translation>変位</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Displacements, other pairs and datum</source>
+      <translation>変位(他の時期対・基準系)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Control residuals</source>
+      <translation>基準点残差</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Check residuals</source>
+      <translation>検証点残差</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Reviews</source>
+      <translation>照査</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Create a Python environment in {folder} and download about {size} of libraries into it?</source>
+      <translation>{folder} に Python 環境を作成し、約 {size} のライブラリをダウンロードしますか?</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Creating the tetratrack engine</source>
+      <translation>tetratrack エンジンの作成</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Python interpreter of the engine</source>
+      <translation>エンジンの Python インタプリタ</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Empty uses the environment that the plugin creates.</source>
+      <translation>空ならプラグインが作成した環境を使う。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Create the engine's environment…</source>
+      <translation>エンジンの環境を作成…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Engine</source>
+      <translation>エンジン</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>State</source>
+      <translation>状態</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>The engine is ready.</source>
+      <translation>エンジンの準備ができました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Python 3.11 or later was not found: install it, or choose an interpreter of the engine above.</source>
+      <translation>Python 3.11 以降が見つかりません。インストールするか、上でエンジンのインタプリタを選んでください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>The engine's environment could not be created: {reason}</source>
+      <translation>エンジンの環境を作成できませんでした:{reason}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Used: {python}</source>
+      <translation>使用中:{python}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/provider.py" />
+      <source>Tetratrack: displacements of tetrapods</source>
+      <translation>Tetratrack:テトラポッドの変位</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>deleted</source>
+      <translation>削除</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>merged</source>
+      <translation>統合</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>split</source>
+      <translation>分割</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>new pose</source>
+      <translation>新しい姿勢</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>placeholder</source>
+      <translation>仮置き</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Displacement review</source>
+      <translation>変位の照査</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Open a result</source>
+      <translation>結果を開く</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>GeoPackage (*.gpkg)</source>
+      <translation>GeoPackage (*.gpkg)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
+      <translation>2時期以上の測量の result.gpkg を開いて変位を照査します。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Open result…</source>
+      <translation>結果を開く…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Previous unit (Up, or P for the previous undecided)</source>
+      <translation>前のブロック(↑、未判定の前へは P)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Next unit (Down, or N for the next undecided)</source>
+      <translation>次のブロック(↓、未判定の次へは N)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Zoom to the unit and flash it (Z)</source>
+      <translation>ブロックへズームして点滅(Z)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The map follows the selection</source>
+      <translation>地図が選択に追従する</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Show all units</source>
+      <translation>全ブロックを表示</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Correct a unit</source>
+      <translation>ブロックを修正</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Write the report…</source>
+      <translation>報告書を書き出す…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Export the alarm list…</source>
+      <translation>警報一覧を書き出す…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Epochs compared</source>
+      <translation>比較する時期</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Reference of the displacements</source>
+      <translation>変位の基準</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>All classes</source>
+      <translation>全区分</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Classes shown</source>
+      <translation>表示する区分</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
+      <translation>表示する最小の3D変位。消失・新規・移設のブロックは常に表示</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Area of the units shown</source>
+      <translation>表示するブロックの範囲</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Everywhere</source>
+      <translation>全域</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Undecided only</source>
+      <translation>未判定のみ</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Unit…</source>
+      <translation>ブロック…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Section along the displacement</source>
+      <translation>変位に沿う断面</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
+      <translation>断面の方向(方眼北から)。各輪郭はそれぞれの中心で切る</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Series</source>
+      <translation>時系列</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Numbers</source>
+      <translation>数値</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>History</source>
+      <translation>履歴</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Comment, stored with the decision</source>
+      <translation>判定とともに保存されるコメント</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Reviewer</source>
+      <translation>照査者</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Your name or initials, stored with every decision</source>
+      <translation>氏名またはイニシャル。すべての判定とともに保存</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Check point</source>
+      <translation>検証点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Feature</source>
+      <translation>特徴点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Surveyed</source>
+      <translation>測量値</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Fitted</source>
+      <translation>当てはめ値</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Difference</source>
+      <translation>差</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Survey description</source>
+      <translation>測量の記述</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Survey (*.toml)</source>
+      <translation>測量 (*.toml)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>PDF (*.pdf);;Web page (*.html)</source>
+      <translation>PDF (*.pdf);;Web ページ (*.html)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Alarm list</source>
+      <translation>警報一覧</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Threshold (cm)</source>
+      <translation>しきい値(cm)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>CSV (*.csv);;GeoJSON (*.geojson)</source>
+      <translation>CSV (*.csv);;GeoJSON (*.geojson)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Cancelled.</source>
+      <translation>中止しました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Fit again after a click on the unit (earlier epoch)</source>
+      <translation>ブロックをクリックして再当てはめ(前の時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Fit again after a click on the unit (later epoch)</source>
+      <translation>ブロックをクリックして再当てはめ(後の時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Pin by three joints of legs (earlier epoch)</source>
+      <translation>脚の接合点3点で固定(前の時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Pin by three joints of legs (later epoch)</source>
+      <translation>脚の接合点3点で固定(後の時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Pick feature points beside the fit (earlier epoch)</source>
+      <translation>当てはめと並べて特徴点を読み取る(前の時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Pick feature points beside the fit (later epoch)</source>
+      <translation>当てはめと並べて特徴点を読み取る(後の時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Placeholder for a unit not found</source>
+      <translation>見つからなかったブロックの仮置き</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Merge the two selected units</source>
+      <translation>選択した2つのブロックを統合</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Split at the later epoch: two units taken for one</source>
+      <translation>後の時期で分割:2つのブロックを1つとみなしていた</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Delete: not a unit</source>
+      <translation>削除:ブロックではない</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Take back the last correction</source>
+      <translation>最後の修正を取り消す</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Read the points around the units…</source>
+      <translation>ブロック周辺の点を読む…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Accept</source>
+      <translation>採用</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The displacement is right (A)</source>
+      <translation>変位は正しい(A)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Reject</source>
+      <translation>棄却</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
+      <translation>変位は誤り:統計、地図、報告書から除く(R)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Inspect</source>
+      <translation>点検</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Inspect on site (I)</source>
+      <translation>現地で点検(I)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Confirm</source>
+      <translation>確認</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Confirm another reviewer's decision (C)</source>
+      <translation>他の照査者の判定を確認する(C)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Undo</source>
+      <translation>元に戻す</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Take back your last decision (U)</source>
+      <translation>自分の最後の判定を取り消す(U)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>3D displacement</source>
+      <translation>3D変位</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>in heights H, in Dn</source>
+      <translation>高さ H、Dn に対する比</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Horizontal</source>
+      <translation>水平</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Detection limit</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Displacement</source>
+      <translation>変位</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>none: one of the two positions is not known</source>
+      <translation>なし:2つの位置の一方が不明</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Seen</source>
+      <translation>可視率</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Score</source>
+      <translation>スコア</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Legs seen</source>
+      <translation>見える脚</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>In polygons</source>
+      <translation>ポリゴン内</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>No unit passes the filter.</source>
+      <translation>条件に合うブロックがありません。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Confirmed.</source>
+      <translation>確認しました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Decisions of another reviewer were taken in.</source>
+      <translation>他の照査者の判定を取り込みました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Select a unit first.</source>
+      <translation>先にブロックを選択してください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The points around the units are needed: read them from the correction menu.</source>
+      <translation>ブロック周辺の点が必要です。修正メニューから読み込んでください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The unit has no pose in any epoch to take its size from.</source>
+      <translation>このブロックはどの時期にも姿勢がなく、大きさを決められません。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>pinned by three joints</source>
+      <translation>接合点3点で固定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
+      <translation>この時期にはブロックが見つかっていません。代わりに接合点3点で固定してください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Select the two units to merge.</source>
+      <translation>統合する2つのブロックを選択してください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>There is no correction to take back.</source>
+      <translation>取り消す修正はありません。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Reading points around units</source>
+      <translation>ブロック周辺の点を読み込み中</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Points read.</source>
+      <translation>点を読み込みました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Writing the report</source>
+      <translation>報告書を作成中</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{shown} of {all} units shown</source>
+      <translation>{all} 個中 {shown} 個を表示</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} significant</source>
+      <translation>有意 {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} decided</source>
+      <translation>判定済み {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} rejected, excluded from statistics and map</source>
+      <translation>棄却 {count}(統計と地図から除外)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>points not read yet</source>
+      <translation>点は未読み込み</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Easting</source>
+      <translation>東</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Northing</source>
+      <translation>北</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Height</source>
+      <translation>高さ</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Rotation</source>
+      <translation>回転</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>significant</source>
+      <translation>有意</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>not significant</source>
+      <translation>有意でない</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Test against no motion</source>
+      <translation>不動に対する検定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Make a polygon layer active first.</source>
+      <translation>先にポリゴンレイヤをアクティブにしてください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>In the map window</source>
+      <translation>地図ウィンドウ内</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
+      <translation>地図またはビューでブロックの中央をクリック。Escape で終了。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
+      <translation>地図またはビューで、3本の脚が出会う接合点を3つクリック。Escape で終了。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Click a joint where three legs meet; Escape ends.</source>
+      <translation>3本の脚が出会う接合点をクリック。Escape で終了。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Click where the unit lies on the map; Escape ends.</source>
+      <translation>地図上でブロックの位置をクリック。Escape で終了。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>There are no points here; click on the cloud.</source>
+      <translation>ここには点がありません。点群の上をクリックしてください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Fitting {unit} again</source>
+      <translation>{unit} を再当てはめ中</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{unit} was fitted again.</source>
+      <translation>{unit} を再当てはめしました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{unit} pinned; the picks fit within {length}.</source>
+      <translation>{unit} を固定しました。読み取り点は {length} 以内で一致します。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{feature} picked, {length} from the fit.</source>
+      <translation>{feature} を読み取りました。当てはめとの差は {length}。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Placeholder {name} stored; it counts as a unit not found.</source>
+      <translation>仮置き {name} を保存しました。見つからなかったブロックとして数えます。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{title}…</source>
+      <translation>{title}…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{name} is read-only: you can look, but decisions cannot be stored.</source>
+      <translation>{name} は読み取り専用です。閲覧できますが判定は保存できません。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>In the active layer's polygons</source>
+      <translation>アクティブレイヤのポリゴン内</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} lost</source>
+      <translation>消失 {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} new</source>
+      <translation>新規 {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>largest {length}</source>
+      <translation>最大 {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Nobody has decided on this unit yet.</source>
+      <translation>このブロックはまだ判定されていません。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{units}: {decision}, stored.</source>
+      <translation>{units}:{decision}、保存しました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Taken back: {units}.</source>
+      <translation>取り消しました:{units}。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} of 3 joints.</source>
+      <translation>接合点 3点中 {count} 点。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{other} is now {keep}.</source>
+      <translation>{other} は {keep} になりました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{unit} is called {name} from {epoch} on.</source>
+      <translation>{unit} は {epoch} から {name} と呼びます。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{unit} was deleted; take it back from the correction menu.</source>
+      <translation>{unit} を削除しました。修正メニューから取り消せます。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Report written to {name}.</source>
+      <translation>報告書を {name} に書き出しました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{count} units written to {name}.</source>
+      <translation>{count} 個のブロックを {name} に書き出しました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Picked by hand</source>
+      <translation>手動読み取り</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>taken back</source>
+      <translation>取り消し済み</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Taken back: {kind} {unit}.</source>
+      <translation>取り消しました:{kind} {unit}。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Check points ({unit})</source>
+      <translation>検証点({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
+      <translation>{feature}、{epoch}:当てはめから {length} で読み取り({who})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
+      <source>Units reviewed</source>
+      <translation>照査済みブロック</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
+      <source>Displacements reviewed</source>
+      <translation>照査済み変位</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
+      <source>Displacements reviewed, other pair or datum</source>
+      <translation>照査済み変位(他の時期対・基準系)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
+      <source>Rejected units (excluded)</source>
+      <translation>棄却したブロック(除外)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
+      <source>Displacement review: {name}</source>
+      <translation>変位の照査:{name}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>Plan</source>
+      <translation>平面</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>Select a unit</source>
+      <translation>ブロックを選択してください</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>N</source>
+      <translation>N</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>No displacement of this unit</source>
+      <translation>このブロックの変位はありません</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>centre</source>
+      <translation>中心</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>Section {azimuth}°</source>
+      <translation>断面 {azimuth}°</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>3D displacement ({unit})</source>
+      <translation>3D変位({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_plots.py" />
+      <source>detection limit</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>stable</source>
+      <translation>安定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>moved</source>
+      <translation>移動</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>rotated</source>
+      <translation>回転</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>lost</source>
+      <translation>消失</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>unseen</source>
+      <translation>不可視</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Unit</source>
+      <translation>ブロック</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Class</source>
+      <translation>区分</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Displ.</source>
+      <translation>変位</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Horiz.</source>
+      <translation>水平</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Vert.</source>
+      <translation>鉛直</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Rot.</source>
+      <translation>回転</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>p</source>
+      <translation>p</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Decision</source>
+      <translation>判定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Name of the unit, the same in all epochs</source>
+      <translation>ブロックの名前。全時期で同じ</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Class of the displacement, or the unit's fate</source>
+      <translation>変位の区分、またはブロックの状態</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Rotation between the epochs (degrees)</source>
+      <translation>時期間の回転(度)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Probability of so large a displacement if the unit stood still; bold where significant</source>
+      <translation>ブロックが静止している場合にこれほど大きな変位となる確率。有意なら太字</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Share of the unit's surface that holds points, in the worse epoch</source>
+      <translation>点のある表面の割合(悪いほうの時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Decision of the reviewers</source>
+      <translation>照査者の判定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Who decided, and ✓ who confirmed</source>
+      <translation>判定した人、✓ は確認した人</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>accepted</source>
+      <translation>採用</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>rejected</source>
+      <translation>棄却</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>inspect on site</source>
+      <translation>現地で点検</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>stable units and control</source>
+      <translation>安定ブロックと基準点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>control points alone</source>
+      <translation>基準点のみ</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>decided</source>
+      <translation>判定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>confirmed</source>
+      <translation>確認</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>took back</source>
+      <translation>取り消し</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>3D displacement of the centre ({unit})</source>
+      <translation>中心の3D変位({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Horizontal displacement of the centre ({unit})</source>
+      <translation>中心の水平変位({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>Vertical displacement of the centre, positive up ({unit})</source>
+      <translation>中心の鉛直変位、上向き正({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/tetratrack_plugin.py" />
+      <source>Monitor a survey…</source>
+      <translation>測量のモニタリング…</translation>
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Comparison with surveyed check points</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Picked by hand (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Fitting (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Surveyed (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Error, picked (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>Error, fitting (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>3D displacements of the same feature point, in the control frame (after Chan and Lichti, Table 1).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_check.html" />
+      <source>The survey has no check points that both epochs share.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Survey control</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Congruence of the stable units</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Units that stand still together: {stable} of {all}; test of their congruence: p {p}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Their common motion against the control points: east {e}, north {n}, up {h} cm; p {p}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Point</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>East (mm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>North (mm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Height (mm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Use</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>disturbed, left out</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>Residuals of the registration; w is the largest normalised residual of the three coordinates.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_control.html" />
+      <source>There is no survey control: displacements are relative to the frame of the clouds.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Damage</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>H = {height} m, Dn = {diameter} m. Lost and relocated units count as displaced by every threshold.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Displaced by at least</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Threshold (m)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Share</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>over {width} m: units displaced by one Dn or more, relocated or lost, per Dn of width (van der Meer, 1988).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Sections along the axis</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Share of displaced units per section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>Chainage (m)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_damage.html" />
+      <source>No unit has a displacement to show.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>Decisions and corrections</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>Confirmed by</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>Comment</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>No reviewer has decided on this epoch pair.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>Correction</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>By</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_displacements.html" />
+      <source>Map of displacements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_displacements.html" />
+      <source>Displacement of the units' centres.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_displacements.html" />
+      <source>Histogram of displacements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_displacements.html" />
+      <source>Displacements of all units with the thresholds of the next section.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_map.html" />
+      <source>Map of the units by class</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_map.html" />
+      <source>Units by class and control points; coordinates in {crs}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Method, settings and versions</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Units are found in the point cloud as four cones with a common centre, adjusted to their points (Gauss-Helmert model), and brought into the frame of the survey control; displacements are differences of the feature points that follow from the adjusted model, tested against their covariance (after Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Time</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>σ0 of the registration</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Software</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Settings</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_method.html" />
+      <source>Written {moment} by {software}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Summary</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Units judged</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Significant displacements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Lost</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Relocated</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>New</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Not seen in the later epoch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Displaced by 5 cm or more</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Displaced by 10 cm or more</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Decided by reviewers</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Rejected by reviewers</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Units known to be missing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Completeness</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Units rejected by reviewers and left out of all figures, maps and tables below: {count}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_summary.html" />
+      <source>Units that no reviewer has decided on yet: {count}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_worst.html" />
+      <source>Units with the largest displacements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_worst.html" />
+      <source>East {e}, north {n}, up {h} cm; rotation {turn}; p {p}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_worst.html" />
+      <source>Plan and section of {unit}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_worst.html" />
+      <source>Series of {unit}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/section_worst.html" />
+      <source>No displacement is significant.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>control used</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>control not used</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>arrows: significant horizontal displacements, enlarged {scale} times</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>3D displacement (cm)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>all units</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>units</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>plan</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>section {azimuth}°</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>chainage along the axis (m)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>units ≥ 10 cm (%)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>easting (m)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../core/report_figures.py" />
+      <source>northing (m)</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+</TS>
