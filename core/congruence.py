@@ -4,10 +4,10 @@ Displacements d_u (3,) of units in the control frame have a part common to all, 
 
     d_u = A(x_u) theta + e_u,   theta ~ N(0, Sigma_registration),   e_u ~ t_nu(0, V_u),   V_u = s^2 C_u + tau^2 I
 
-with C_u the covariance of the joint adjustment. Roughness, growth and drifts within a strip make C_u too small, so the factor s, the
-floor tau and the weight nu of the tails are estimated from the stable units themselves by maximum likelihood, while moved units are described by a
-broad second component (the empirical null distribution of Efron, 2004, JASA 99). Congruence test and datum after Pelzer (1971) and
-Niemeier (1985): global test of all units, then units that do not agree leave the datum one by one.
+with C_u the covariance of the joint adjustment. Roughness, growth and drifts within a strip make C_u too small, so the factor s,
+the floor tau and the weight nu of the tails are estimated from the stable units themselves by maximum likelihood, while moved
+units are described by a broad second component (the empirical null distribution of Efron, 2004, JASA 99). Congruence test and
+datum after Pelzer (1971) and Niemeier (1985): global test of all units, then units that do not agree leave the datum.
 """
 
 from __future__ import annotations
@@ -54,12 +54,17 @@ class NullModel:
 
     def p_value(self, statistics: FloatArray) -> FloatArray:
         """Of quadratic forms of three components."""
-        return np.asarray(f_distribution.sf(np.asarray(statistics) / 3, 3, self.tail))
+        return f_p_value(statistics, self.tail)
+
+
+def f_p_value(statistics: FloatArray, tail: float) -> FloatArray:
+    """p-values of quadratic forms of three components whose variance has ``tail`` degrees of freedom."""
+    return np.asarray(f_distribution.sf(np.asarray(statistics) / 3, 3, tail))
 
 
 @dataclass(frozen=True, eq=False)
 class Congruence:
-    """Result of :func:`test_congruence` for one epoch pair.
+    """Result of :func:`congruence_of` for one epoch pair.
 
     Attributes
     ----------
@@ -76,8 +81,8 @@ class Congruence:
         Calibrated distribution of stable units.
     statistics, p_values
         (n,) of each unit in datum ``stable``, itself left out of the datum.
-    control_statistics, control_p_values
-        The same in datum ``control``.
+    control_statistics, control_p_values, control_tail
+        The same in datum ``control``, and its degrees of freedom.
     global_statistic, global_degrees, global_p_value
         Test that all units together kept their shape.
     common_statistic, common_p_value
@@ -94,6 +99,7 @@ class Congruence:
     p_values: FloatArray
     control_statistics: FloatArray
     control_p_values: FloatArray
+    control_tail: float
     global_statistic: float
     global_degrees: int
     global_p_value: float
@@ -110,8 +116,14 @@ class Congruence:
         return np.asarray(a @ (self.motion_covariance if datum == "stable" else self.prior) @ np.swapaxes(a, 1, 2))
 
 
-def test_congruence(
-    displacements: FloatArray, covariances: FloatArray, points: FloatArray, prior: FloatArray | None, origin: FloatArray, scale: float
+def congruence_of(
+    displacements: FloatArray,
+    covariances: FloatArray,
+    points: FloatArray,
+    prior: FloatArray | None,
+    origin: FloatArray,
+    scale: float,
+    degrees: float = math.inf,
 ) -> Congruence:
     """Find the stable set of an epoch pair, its datum and the calibrated tests.
 
@@ -122,12 +134,14 @@ def test_congruence(
     points
         (n, 3) where the units are.
     prior
-        (7, 7) covariance of the common motion (shift, rotation vector, scale) about ``origin`` from both registrations; None where an epoch has
-        no control, so that nothing is known of it.
+        (7, 7) covariance of the common motion (shift, rotation vector, scale) about ``origin`` from both registrations; None where
+        an epoch has no control, so that nothing is known of it.
     origin
         (3,) reduction point of the common motion.
     scale
         Length of the units in metres (H), for the broad component of moved units.
+    degrees
+        Degrees of freedom of the prior's variance, the redundancy of the registrations.
     """
     known = prior is not None
     sigma = _free_prior() if prior is None else _regular(prior)
@@ -151,14 +165,16 @@ def test_congruence(
     p_values = null.p_value(statistics)
     with_control = effective + a @ sigma @ np.swapaxes(a, 1, 2) if known else effective
     control = _quadratic(displacements, with_control)
-    global_statistic, degrees = _global(displacements, effective, a, sigma)
+    tail = min(null.tail, degrees) if degrees > 0 else null.tail
+    global_statistic, global_degrees = _global(displacements, effective, a, sigma)
     common = math.nan
     if known and stable.any():
         common = _common(displacements[stable], effective[stable], a[stable], sigma)
     return Congruence(
-        origin, theta, cofactor, sigma if known else np.zeros((7, 7)), stable, null, statistics, p_values, control, null.p_value(control),
-        global_statistic, degrees, float(chi2.sf(global_statistic, degrees)) if degrees else 1.0, common,
-        float(chi2.sf(common, 6)) if math.isfinite(common) else math.nan,
+        origin, theta, cofactor, sigma if known else np.zeros((7, 7)), stable, null, statistics, p_values,
+        control, f_p_value(control, tail), tail,
+        global_statistic, global_degrees, float(chi2.sf(global_statistic, global_degrees)) if global_degrees else 1.0, common,
+        float(f_distribution.sf(common / 6, 6, min(degrees, 1e6) or 1e6)) if math.isfinite(common) else math.nan,
     )  # fmt: skip
 
 
@@ -270,7 +286,7 @@ def _leave_one_out(
     displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray, stable: BoolArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Datum of the stable set, and each unit's statistic against the datum without itself."""
-    weights = np.linalg.inv(covariances) * stable[:, None, None]
+    weights = np.asarray(np.linalg.inv(covariances) * stable[:, None, None], dtype=np.float64)
     theta, cofactor = _solve(displacements, weights, a, sigma)
     residuals = displacements - a @ theta
     spread = a @ cofactor @ np.swapaxes(a, 1, 2)
@@ -289,7 +305,7 @@ def _global(displacements: FloatArray, covariances: FloatArray, a: FloatArray, s
     n = len(displacements)
     if n < 2:
         return 0.0, 0
-    weights = np.linalg.inv(covariances)
+    weights = np.asarray(np.linalg.inv(covariances), dtype=np.float64)
     theta, _ = _solve(displacements, weights, a, sigma)
     residuals = displacements - a @ theta
     form = float(np.einsum("ni,nij,nj->", residuals, weights, residuals) + theta @ np.linalg.solve(sigma, theta))
@@ -299,6 +315,6 @@ def _global(displacements: FloatArray, covariances: FloatArray, a: FloatArray, s
 def _common(displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray) -> float:
     """Motion of the stable units alone against zero, with the covariance of both registrations (rigid part, 6 degrees)."""
     free = _free_prior()
-    theta, cofactor = _solve(displacements, np.linalg.inv(covariances), a, free)
+    theta, cofactor = _solve(displacements, np.asarray(np.linalg.inv(covariances), dtype=np.float64), a, free)
     total = (cofactor + sigma)[:6, :6]
     return float(theta[:6] @ np.linalg.solve(total, theta[:6]))

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from .congruence import Congruence, NullModel
+from .congruence import Congruence, NullModel, f_p_value
 from .feature_points import FEATURES, FeaturePoints
 from .planning import noncentrality
 from .pose import Pose
@@ -154,7 +154,7 @@ def unit_motion(
         size,
         float(math.sqrt(along @ turn_total @ along)),
         statistics,
-        congruence.null.p_value(statistics),
+        f_p_value(statistics, congruence.null.tail if datum == "stable" else congruence.control_tail),
         float(turn_null.p_value(np.array([angle @ np.linalg.solve(turn_total, angle)]))[0]),
         factor * np.sqrt(np.linalg.eigvalsh(covariances)[:, -1]),
     )

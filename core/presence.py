@@ -1,8 +1,8 @@
 """What an epoch that does not show a known unit says about it: still there, its space seen to be empty, or hidden.
 
-The places where another epoch's rays met the unit are looked up again. Where many still hold points on the unit's surface it is there. Where
-they do not, and the cloud now holds points behind them that the unit used to hide, the sensor has looked through the unit's place.
-Points in front of them, or none at all, say nothing: the place is hidden.
+The places where another epoch's rays met the unit are looked up again. Where many still hold points on the unit's surface it is there.
+Where they do not, and the cloud now holds points behind them that the unit used to hide, the sensor has looked through the unit's
+place. Points in front of them, or none at all, say nothing: the place is hidden.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ FloatArray = NDArray[np.float64]
 
 SUPPORTED = 0.4
 """Share of the places seen before that must hold points for the unit to be there."""
-GONE = 0.2
+GONE = 0.3
 """Share below which it is not."""
-LOOKED_THROUGH = 0.15
+LOOKED_THROUGH = 0.05
 """Newly seen points behind the unit's surface, over the points it had, that prove its place empty."""
 
 

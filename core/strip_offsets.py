@@ -339,7 +339,7 @@ class _JointSolver:
             if iteration < 4:
                 self.estimate_noise()
             blocks, reduced, reduced_rhs = self.reduce()
-            cofactor = np.linalg.inv(reduced)
+            cofactor = np.asarray(np.linalg.inv(reduced), dtype=np.float64)
             shift = cofactor @ reduced_rhs
             self.offsets += shift.reshape(-1, 3)
             largest = float(np.abs(shift).max(initial=0.0))

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from .congruence import Congruence, NullModel, calibrate, test_congruence
+from .congruence import Congruence, NullModel, calibrate, congruence_of
 from .control import Transformation, rigid_jacobian
 from .cross_check import CrossCheck, cross_check
 from .displacement import (
@@ -81,12 +81,15 @@ class TrackedEpoch:
         Found units.
     registration
         Transformation to control, its reduction point ``origin_to`` already less the common one; None without control.
+    redundancy
+        Of the registration.
     """
 
     label: str
     time: datetime
     units: tuple[FittedUnit, ...]
     registration: Transformation | None
+    redundancy: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,6 +152,8 @@ class Tracking:
         Type of unit by physical unit.
     units
         By physical unit: epoch index to its state.
+    registrations
+        By epoch: transformation to control with the uncertainty of the mean offset of its strips or stations added.
     pairs
         All pairs of epochs.
     joint
@@ -163,6 +168,7 @@ class Tracking:
 
     kinds: tuple[int, ...]
     units: tuple[dict[int, TrackedUnit], ...]
+    registrations: tuple[Transformation | None, ...]
     pairs: tuple[EpochPair, ...]
     joint: JointAdjustment
     cross_checks: dict[tuple[int, int, int], CrossCheck]
@@ -203,11 +209,21 @@ def track(epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], surrounding
         seen[unit][epoch] = sighting
     tracks, seen, states = _join_relocated(tracks, seen, states, units, len(epochs))
     joint, numbers = _adjust(seen)
+    epochs = [_with_mean_offset(e, k, joint) for k, e in enumerate(epochs)]
     tracked = [_states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs)) for k in range(len(tracks))]
     pairs = tuple(_compare(a, b, epochs, units, tracks, tracked, joint, numbers) for a, b in combinations(range(len(epochs)), 2))
     checks = _cross_checks(seen, joint, numbers, len(epochs))
     velocities = _velocities(epochs, units, tracks, tracked, pairs) if len(epochs) > 2 else {}
-    return Tracking(tuple(t.kind for t in tracks), tuple(tracked), pairs, joint, checks, velocities, identities.shifts)
+    return Tracking(
+        tuple(t.kind for t in tracks),
+        tuple(tracked),
+        tuple(e.registration for e in epochs),
+        pairs,
+        joint,
+        checks,
+        velocities,
+        identities.shifts,
+    )
 
 
 def _sighted(unit: FittedUnit, symmetry: FloatArray) -> FittedUnit:
@@ -322,6 +338,16 @@ def _adjust(seen: Sequence[dict[int, FittedUnit]]) -> tuple[JointAdjustment, dic
     return adjust_jointly(sightings), numbers
 
 
+def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
+    """The epoch with what its targets cannot know added to the registration: the mean offset of its strips, as a common shift."""
+    offsets = np.array([offset for (e, _), offset in joint.offsets.items() if e == number]).reshape(-1, 3)
+    if epoch.registration is None or len(offsets) < 2:
+        return epoch
+    variance = float(np.mean(np.sum(offsets**2, axis=0) / (len(offsets) - 1) / len(offsets)))
+    covariance = epoch.registration.covariance + np.diag([variance] * 3 + [0.0] * 4)
+    return replace(epoch, registration=replace(epoch.registration, covariance=covariance))
+
+
 def _states_of(
     unit: int,
     track: Track,
@@ -386,7 +412,8 @@ def _compare(
     own = np.array([relative_covariance(a, b, c)[0] for a, b, c in zip(befores, afters, joints, strict=True)]).reshape(-1, 3, 3)
     origin = centres[judged].mean(axis=0) if len(judged) else np.zeros(3)
     prior = _common_prior(epochs[first].registration, epochs[second].registration, origin)
-    congruence = test_congruence(vectors[judged], own[judged], centres[judged], prior, origin, height)
+    degrees = epochs[first].redundancy + epochs[second].redundancy
+    congruence = congruence_of(vectors[judged], own[judged], centres[judged], prior, origin, height, degrees or math.inf)
     turn = np.array(turns).reshape(-1, 3)
     turn_cov = np.array(turn_covs).reshape(-1, 3, 3)
     turn_null = calibrate(turn[judged] - congruence.motion[3:6], turn_cov[judged], 1.0)

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .control import Transformation
 from .displacement import Grade, UnitMotion, grade
 from .feature_points import FEATURES
 from .pose import Pose
@@ -45,7 +44,7 @@ def unit_names(count: int) -> list[str]:
     return [f"U{k + 1:04d}" for k in range(count)]
 
 
-def pose_covariance(tracking: Tracking, epoch: int, state: TrackedUnit, registration: Transformation | None) -> FloatArray:
+def pose_covariance(tracking: Tracking, epoch: int, state: TrackedUnit) -> FloatArray:
     """(8, 8) covariance of a pose in the control frame: calibrated joint adjustment and registration; shape held."""
     if state.covariance is None or state.pose is None:
         raise ValueError("a unit without pose has no covariance")
@@ -58,6 +57,7 @@ def pose_covariance(tracking: Tracking, epoch: int, state: TrackedUnit, registra
         own = own * np.outer(factors, factors) + np.diag(0.5 * floors**2)
     covariance = np.zeros((8, 8))
     covariance[:6, :6] = own
+    registration = tracking.registrations[epoch]
     if registration is not None:
         effect = np.zeros((8, 7))
         effect[:3] = registration.jacobian(state.pose.centre[None])[0]
@@ -267,7 +267,7 @@ def unit_tables(
             shape = unit_shape(unit, state.scale)
             fit = dict(from_fit(epoch, state.row))
             observed = fit.pop("observed", [None] * len(FEATURES))
-            covariance = pose_covariance(tracking, epoch, state, epochs[epoch].registration)
+            covariance = pose_covariance(tracking, epoch, state)
             pose = state.pose.shifted(origin)
             qx, qy, qz, qw = pose.quaternion()
             unit_rows.append(

@@ -672,6 +672,7 @@ def _tracked_epoch(epoch: EpochUnits, registration: Registration | None, units: 
         epoch.plan.epoch.time,
         tuple(unit for unit in found if unit is not None),
         None if known is None else replace(known, origin_to=known.origin_to - origin),
+        0 if registration is None else registration.redundancy,
     )
 
 
