@@ -38,6 +38,8 @@ Status = Literal["found", "uncertain"]
 PASSES = 4
 FOUND_SCORE = 0.65
 """Units of at least this score are stated as found; the others are kept as uncertain."""
+CLEARANCE_IN_NOISE = 2.0
+"""Points are used where no other unit's surface comes nearer than this multiple of the noise."""
 LISTED_SCORE = 0.1
 """Poses of a lower score are chance alignments of rock, wall and water and are not reported at all."""
 SCORE_WEIGHTS = (2.49, 2.85, -0.72, -1.31, -1.47, 0.65)
@@ -90,7 +92,7 @@ class Segmentation:
     units
         In order of decreasing evidence.
     labels
-        (n,) for each point given, the index of its unit or -1.
+        (n,) for each point given, the index of its unit or -1, also where it cannot be told from a touching unit's.
     spacing
         Median distance of a point to its nearest neighbour, metres.
     noise
@@ -182,7 +184,7 @@ def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, un
         )
         for k in kept
     )
-    labels, _ = assign(points, poses[kept], unit, max(3.5 * elements.noise, 2 * tolerance))
+    labels, _ = assign(points, poses[kept], unit, max(3.5 * elements.noise, 2 * tolerance), clearance=CLEARANCE_IN_NOISE * elements.noise)
     return Segmentation(units, labels, elements.spacing, elements.noise, tolerance)
 
 
