@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,9 @@ from .tile_jobs import HALO_HEIGHTS, MARGIN_HEIGHTS, Arrays, Block, job_key, loa
 from .tiles import PointCloud, Window, read_points
 from .unit_types import UnitType
 
+if TYPE_CHECKING:
+    from .gauss_helmert import Adjustment
+
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
@@ -25,6 +29,8 @@ SAME_UNIT_HEIGHTS = 0.4
 NEAR_FEATURE_HEIGHTS = 0.15
 """A feature point counts as observed if each of its legs holds points this near to it."""
 OBSERVED_CENTRE_COVERAGE = 0.05
+TIP_POINTS = 30
+"""Fewest points near the legs' ends from which the form of the ends is judged."""
 RADIUS_TOLERANCE, GRADIENT_TOLERANCE = 0.01, 0.01
 """Standard deviation of a unit's radius (relative) and gradient about the nominal shape, as prior observations."""
 
@@ -147,6 +153,8 @@ class FitJob:
             used = np.ones(len(points), dtype=np.bool_)
             try:
                 result = adjust(points, unit, _pose(table["poses"][k]), options=options)
+                if _cone_holds_to_the_end(points, result, unit):
+                    result = adjust(points, unit, result.pose, options=replace(options, tip=1.0))
             except InputError:
                 # too little is seen of it for an adjustment: it stays as segmented, as uncertain evidence without covariance
                 table["status"][k] = "uncertain"
@@ -256,7 +264,13 @@ def owners(blocks: Sequence[tuple[Window, Mapping[str, NDArray[Any]]]], heights:
 def _found(cloud: PointCloud, number: int, unit: SurveyUnit, seed: int) -> tuple[dict[str, NDArray[Any]], IntArray]:
     from .segmentation import segment
 
-    result = segment(cloud.xyz, unit.type, seed=seed)
+    near = np.arange(len(cloud))
+    if unit.area is not None:
+        corners = np.array(unit.area)
+        reach = HALO_HEIGHTS * unit.type.height
+        around = Window(*corners.min(axis=0).tolist(), *corners.max(axis=0).tolist()).grown(reach)
+        near = np.flatnonzero(around.contains(cloud.xyz + cloud.origin))
+    result = segment(cloud.xyz[near], unit.type, seed=seed)
     table = _table(
         [_row(u.pose) for u in result.units],
         [number] * len(result.units),
@@ -266,7 +280,8 @@ def _found(cloud: PointCloud, number: int, unit: SurveyUnit, seed: int) -> tuple
         [u.status for u in result.units],
         [u.misfit for u in result.units],
     )
-    labels = result.labels
+    labels = np.full(len(cloud), -1, dtype=np.int64)
+    labels[near] = result.labels
     if unit.area is not None:
         labels = _only_inside(table, labels, unit.area, cloud.origin)
     return table, labels
@@ -308,6 +323,7 @@ def _best_types(
 def _given(cloud: PointCloud, given: Sequence[tuple[float, ...]], units: Sequence[SurveyUnit]) -> tuple[dict[str, NDArray[Any]], IntArray]:
     """Units whose poses are known: each point goes to the unit whose surface is nearest."""
     from .aggregation import assign
+    from .segmentation import CLEARANCE_IN_NOISE
     from .surface_elements import surface_elements
 
     rows = np.array(given, dtype=np.float64).reshape(-1, 13)
@@ -320,7 +336,7 @@ def _given(cloud: PointCloud, given: Sequence[tuple[float, ...]], units: Sequenc
         unit = units[kind].type
         members = np.flatnonzero(kinds == kind)
         noise = surface_elements(cloud.xyz, unit.height).noise if len(cloud) >= 50 else 0.0
-        own, distance = assign(cloud.xyz, poses[members], unit, max(3.5 * noise, 0.02 * unit.height))
+        own, distance = assign(cloud.xyz, poses[members], unit, max(3.5 * noise, 0.02 * unit.height), clearance=CLEARANCE_IN_NOISE * noise)
         nearer = (own >= 0) & (np.abs(distance) < best)
         labels[nearer], best[nearer] = members[own[nearer]], np.abs(distance[nearer])
     count = len(rows)
@@ -346,6 +362,21 @@ def _table(
         "status": np.array(statuses, dtype="U12"),
         "misfit": np.array(misfits, dtype=np.float64),
     }
+
+
+def _cone_holds_to_the_end(points: FloatArray, result: Adjustment, unit: UnitType) -> bool:
+    """Whether the points past the usual limit of the cone, near the legs' ends, lie on the cone like all others.
+
+    Real legs end in rounded tips, where they do not; where they do, leaving them out would cost a fifth of the points.
+    """
+    from .gauss_helmert import TIP_RATIO
+    from .tetrapod import LATERAL
+
+    lateral = (result.legs >= 0) & (result.parts == LATERAL) & (np.abs(result.residuals) < 3.5 * result.noise)
+    directions = unit.leg_directions[result.legs[lateral]]
+    axial = np.einsum("ij,ij->i", result.pose.to_body(points[lateral]), directions)
+    beyond = result.residuals[lateral][(axial > TIP_RATIO * unit.leg_length) & (axial < unit.leg_length)]
+    return len(beyond) >= TIP_POINTS and abs(float(np.mean(beyond))) < 2 * result.noise / math.sqrt(len(beyond))
 
 
 def _row(pose: Pose) -> FloatArray:

@@ -391,6 +391,47 @@ def refit(
 
 
 @app.command()
+def batch(
+    surveys: Annotated[list[Path], typer.Argument(metavar="SURVEY.toml...", help="Surveys; results go beside them", show_default=False)],
+    workers: Workers = 0,
+    scheduler: Scheduler = None,
+    resume: Resume = False,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Run many surveys one after the other; one that fails does not end the others (exit code 2 at the end)."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from .batch import run_batch
+
+        return run_batch(surveys, _run_options(workers, scheduler, resume), feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def watch(
+    survey: SurveyFile,
+    interval: Annotated[float, typer.Option("--interval", min=1, help="Seconds between looks")] = 60.0,
+    once: Annotated[bool, typer.Option("--once", help="Look and, if there is something new, run once; for cron")] = False,
+    workers: Workers = 0,
+    scheduler: Scheduler = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Run a survey whenever new tiles or epochs appear; the result goes beside survey.toml."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from .batch import watch as look
+
+        return look(survey, _run_options(workers, scheduler, False), interval, once, feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
 def template() -> None:
     """Print a survey.toml to fill in."""
     from ..core.survey import template as text
@@ -419,6 +460,14 @@ def _unit(
     return unit_from_keys(
         {"type": name, "height": height, "radius": radius, "gradient": gradient, "leg_length": leg_length, "opening": opening}
     )
+
+
+def _run_options(workers: int, scheduler: str | None, resume: bool) -> list[str]:
+    """The options of ``run`` that its callers pass on."""
+    options = ["--workers", str(workers)]
+    if scheduler is not None:
+        options += ["--scheduler", scheduler]
+    return [*options, "--resume"] if resume else options
 
 
 def main() -> None:
