@@ -24,7 +24,6 @@ from typing import Any, Literal
 import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike, NDArray
-from scipy.spatial.transform import Rotation
 from scipy.special import ndtri
 
 from .errors import InputError
@@ -297,10 +296,11 @@ def _foot(x, y, z, leg, disc, axes, creases, r, c, end, cov, has_cov, out):  # t
 
 
 @njit(**_COMPILED)
-def _candidates(x, y, z, given, axes, creases, r, c, length, ends, cov, has_cov, opened, discs, noise, found, density):  # type: ignore[no-untyped-def]
-    """Logarithm of the density of a point under each part (0..3 lateral, 4..7 end discs), into ``density``; returns the best part or -1."""
-    for k in range(8):
-        density[k] = -1e300
+def _candidates(x, y, z, given, axes, creases, r, c, length, ends, cov, has_cov, opened, discs, noise, found, which, density):  # type: ignore[no-untyped-def]
+    """Parts (0..3 lateral, 4..7 end discs) that may own a point into ``which``, the logarithm of its density under each into ``density``.
+
+    Returns how many there are and the place of the likeliest among them.
+    """
     nearest = given
     if given < 0:
         lean = -1e300
@@ -311,6 +311,7 @@ def _candidates(x, y, z, given, axes, creases, r, c, length, ends, cov, has_cov,
                 nearest = k
     reach = x * axes[nearest, 0] + y * axes[nearest, 1] + z * axes[nearest, 2]
     best = -1
+    count = 0
     for k in range(4):
         if k != nearest:
             # the creases are the planes of equal lean: a leg further off than the noise reaches cannot own the point
@@ -331,10 +332,12 @@ def _candidates(x, y, z, given, axes, creases, r, c, length, ends, cov, has_cov,
             if share < 1e-10:
                 continue
             u = found[j, 3] / spread
-            density[j] = math.log(share / spread) - 0.5 * u * u
-            if best < 0 or density[j] > density[best]:
-                best = j
-    return best
+            which[count] = j
+            density[count] = math.log(share / spread) - 0.5 * u * u
+            if best < 0 or density[count] > density[best]:
+                best = count
+            count += 1
+    return count, best
 
 
 @njit(**_COMPILED)
@@ -363,6 +366,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
     body_cov = np.zeros((3, 3))
     found = np.zeros((8, 11))
     density = np.zeros(8)
+    which = np.zeros(8, dtype=np.int64)
     row = np.zeros(12)
     mean_score = np.zeros(12)
     cosine = 1.0 / math.sqrt(1.0 + c * c)
@@ -389,25 +393,30 @@ def linearise_points(  # type: ignore[no-untyped-def]
                         for q in range(3):
                             total += rotation[p, a] * cov[i, p, q] * rotation[q, b]
                     body_cov[a, b] = total
-        best = _candidates(x, y, z, known, axes, creases, r, c, length, ends, body_cov, has_cov, opened, discs, noise, found, density)
-        if best < 0:
+        count, likeliest = _candidates(
+            x, y, z, known, axes, creases, r, c, length, ends, body_cov, has_cov, opened, discs, noise, found, which, density
+        )
+        if count == 0:
             continue
+        best = which[likeliest]
         legs[i] = best % 4
         parts[i] = best // 4
         residuals[i] = found[best, 3]
         sds[i] = found[best, 4]
         biases[i] = found[best, 6] * correct * correct
-        feet[i, 0], feet[i, 1], feet[i, 2] = found[best, 8], found[best, 9], found[best, 10]
-        total = 0.0
-        for k in range(8):
-            if density[k] > density[best] - 30.0:
-                total += math.exp(density[k] - density[best])
+        total = 1.0
+        for m in range(count):
+            if m != likeliest and density[m] > density[likeliest] - 30.0:
+                total += math.exp(density[m] - density[likeliest])
         single = total < 1.001
-        mean_score[:] = 0.0
-        for k in range(8):
-            if density[k] < density[best] - 7.0:
+        if final:
+            feet[i, 0], feet[i, 1], feet[i, 2] = found[best, 8], found[best, 9], found[best, 10]
+            mean_score[:] = 0.0
+        for candidate in range(count):
+            if density[candidate] < density[likeliest] - 7.0:
                 continue
-            share = math.exp(density[k] - density[best]) / total
+            k = which[candidate]
+            share = 1.0 / total if k == best else math.exp(density[candidate] - density[likeliest]) / total
             leg = k % 4
             # edges are judged at the foot of the perpendicular, which says nothing about the residual
             gate = 1.0
@@ -441,8 +450,9 @@ def linearise_points(  # type: ignore[no-untyped-def]
                 row[8 + m] = -1.0 / s if m + 4 == k else 0.0
             if k == best:
                 weights[i] = w
-                for m in range(12):
-                    rows[i, m] = row[m]
+                if final:
+                    for m in range(12):
+                        rows[i, m] = row[m]
             narrow = 1.0
             if redescend:
                 narrow = _robust_weight(u / SCALE_NARROWING)[0]
@@ -535,6 +545,20 @@ def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, noi
         for a in range(8):
             for b in range(8):
                 out[a, b] += p * (along_g * shift[a] * shift[b] + along_t * turn[a] * turn[b])
+
+
+@njit(**_COMPILED)
+def _turned(rotation, vector):  # type: ignore[no-untyped-def]
+    """exp([vector]x) @ rotation, by Rodrigues' formula."""
+    x, y, z = vector[0], vector[1], vector[2]
+    angle = math.sqrt(x * x + y * y + z * z)
+    # sin(a)/a and (1 - cos a)/a^2 without loss of digits for small angles
+    first = math.sin(angle) / angle if angle > 1e-6 else 1.0 - angle * angle / 6.0
+    half = math.sin(0.5 * angle) / (0.5 * angle) if angle > 1e-6 else 1.0 - angle * angle / 24.0
+    second = 0.5 * half * half
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    turn = np.eye(3) + first * cross + second * (cross @ cross)
+    return turn @ rotation
 
 
 @njit(**_COMPILED)
@@ -673,7 +697,7 @@ class _Solver:
     def __init__(self, xyz: FloatArray, unit: UnitType, pose: Pose, options: AdjustmentOptions, cov: FloatArray, given: IntArray) -> None:
         n = len(xyz)
         self.xyz, self.unit, self.options, self.cov, self.given = xyz, unit, options, cov, given
-        self.centre, self.rotation = np.array(pose.centre), np.array(pose.rotation)
+        self.centre, self.rotation = np.array(pose.centre), np.ascontiguousarray(pose.rotation, dtype=np.float64)
         self.nominal = np.array([unit.radius, unit.gradient])
         self.shape = np.array([unit.radius, unit.gradient, unit.leg_length])
         self.leg_errors = np.zeros(4)
@@ -735,7 +759,7 @@ class _Solver:
             closeness = self.quantile_scale(0.6)
             if closeness < best[0]:
                 best = closeness, scale, self.state()
-            if scale < 0.01 * self.unit.height and self.share_within(scale) > 0.9:
+            if self.looks_like_noise(scale):
                 break
         self.restore(best[2])
         return best[1]
@@ -759,6 +783,8 @@ class _Solver:
         if not self.options.robust:
             return scale
         closeness, wide = self.quantile_scale(0.6), self.state()
+        if self.looks_like_noise(scale) and closeness < 1.15 * scale:
+            return scale
         tight = window * scale
         while tight > max(self.options.sigma or 0.0, self.floor) and self.share_within(tight) > 0.5:
             tight *= 0.5
@@ -823,7 +849,7 @@ class _Solver:
         )
         change /= longest
         self.centre = self.centre + change[:3]
-        self.rotation = np.ascontiguousarray(Rotation.from_rotvec(change[3:6]).as_matrix() @ self.rotation)
+        self.rotation = _turned(self.rotation, change[3:6])
         self.shape[:2] += change[6:8]
         # a cone that closes before the end of its leg has no meaning
         self.shape[0] = max(self.shape[0], 0.2 * self.unit.radius)
@@ -833,6 +859,10 @@ class _Solver:
 
     def standardised(self) -> FloatArray:
         return np.asarray((self.residuals - self.biases) / self.sds)
+
+    def looks_like_noise(self, scale: float) -> bool:
+        """Whether nearly all residuals are small beside the unit, and none far beyond their scale."""
+        return scale * float(np.mean(self.sds)) < 0.01 * self.unit.height and self.share_within(scale) > 0.95
 
     def share_within(self, scale: float) -> float:
         """Share of all points inside the window of the robust weights."""
