@@ -22,7 +22,7 @@ from .workflow import Feedback, plan_survey
 FloatArray = NDArray[np.float64]
 GreyArray = NDArray[np.uint8]
 
-CELLS_PER_HEIGHT = 25
+CELLS_PER_HEIGHT = 15
 """Cells across a unit's height: legs show as rounded bodies, and files stay small."""
 MOST_CELLS = 100_000_000
 SUN_AZIMUTH, SUN_ALTITUDE = math.radians(315), math.radians(45)
@@ -71,7 +71,7 @@ def shade(grid: HighestPoints) -> tuple[GreyArray, GreyArray]:
     Returns
     -------
     grey, alpha
-        (rows, columns) brightness 1..255, and 255 where a point lies in the cell or beside it, 0 elsewhere.
+        (rows, columns) brightness 55..255, so that shadows still show symbols, and 255 where a point lies in the cell or beside it, 0 elsewhere.
     """
     known = np.isfinite(grid.height)
     weight = uniform_filter(known.astype(np.float32), 3)
@@ -81,7 +81,7 @@ def shade(grid: HighestPoints) -> tuple[GreyArray, GreyArray]:
     slope_n, slope_e = np.gradient(np.where(seen, filled, 0), -grid.cell, grid.cell)
     light = (math.sin(SUN_AZIMUTH) * math.cos(SUN_ALTITUDE), math.cos(SUN_AZIMUTH) * math.cos(SUN_ALTITUDE), math.sin(SUN_ALTITUDE))
     brightness = (light[2] - slope_e * light[0] - slope_n * light[1]) / np.sqrt(1 + slope_e**2 + slope_n**2)
-    return (1 + 254 * np.clip(brightness, 0, 1)).astype(np.uint8), np.where(seen, 255, 0).astype(np.uint8)
+    return (55 + 200 * np.clip(brightness, 0, 1)).astype(np.uint8), np.where(seen, 255, 0).astype(np.uint8)
 
 
 def write_relief(path: Path, grid: HighestPoints, crs: str) -> None:

@@ -14,7 +14,6 @@ from qgis.core import (
     Qgis,
     QgsApplication,
     QgsArrowSymbolLayer,
-    QgsFillSymbol,
     QgsGeometryGeneratorSymbolLayer,
     QgsLineSymbol,
     QgsMapLayer,
@@ -22,7 +21,6 @@ from qgis.core import (
     QgsPalLayerSettings,
     QgsProperty,
     QgsRuleBasedRenderer,
-    QgsSimpleFillSymbolLayer,
     QgsSimpleLineSymbolLayer,
     QgsSymbol,
     QgsSymbolLayer,
@@ -44,9 +42,11 @@ LONGEST_ON_PAPER = 0.03
 ELLIPSE_95 = 2.448
 """sqrt of the 95 % quantile of chi-square with two degrees of freedom."""
 GREY, BLUE, ORANGE, RED, PURPLE, GREEN, TEAL = "#8a949c", "#2b7bba", "#e08a1e", "#c62828", "#7b3fa0", "#2f8f4e", "#16857f"
-LEG_WIDTH, LEG_LENGTH = 0.415, 0.644
-"""Mean diameter and length of a leg in unit heights (Shore Protection Manual)."""
+LEG_WIDTH, LEG_LENGTH = 0.12, 0.644
+"""Width of the drawn axis, thin enough to leave the relief visible, and length of a leg in unit heights (Shore Protection Manual)."""
 LEGS = ((0.0, 0.0, 1.0), (0.942809, 0.0, -0.333333), (-0.471405, 0.816497, -0.333333), (-0.471405, -0.816497, -0.333333))
+LATEST = '(@map_start_time is not null or "epoch_time" = maximum("epoch_time"))'
+"""Without the temporal controller all epochs are drawn; only the latest is labelled."""
 CATEGORIES = (
     QgsMapLayer.StyleCategory.Symbology
     | QgsMapLayer.StyleCategory.Symbology3D
@@ -79,7 +79,7 @@ def ellipse(east: str, north: str, length: str, x: str, y: str, sd_e: str = '"sd
     """Expression: 95 % ellipse around the end of :func:`vector`, axes along the grid."""
     scale = f"min({PAPER_PER_METRE}, {LONGEST_ON_PAPER}/max({length},1e-6))*@map_scale"
     size = f"{ELLIPSE_95 * PAPER_PER_METRE:.4f}*@map_scale"
-    return f"make_ellipse({x}+{scale}*{east},{y}+{scale}*{north},{size}*{sd_e},{size}*{sd_n},0)"
+    return f"boundary(make_ellipse({x}+{scale}*{east},{y}+{scale}*{north},{size}*{sd_e},{size}*{sd_n},0))"
 
 
 def point_ellipse() -> str:
@@ -88,7 +88,7 @@ def point_ellipse() -> str:
     middle = '("sd_e"^2+"sd_n"^2)/2'
     spread = 'sqrt((("sd_e"^2-"sd_n"^2)/2)^2+"cov_en"^2)'
     azimuth = 'degrees(0.5*atan2(2*"cov_en","sd_n"^2-"sd_e"^2))'
-    return f"make_ellipse($x,$y,{size}*sqrt(max({middle}-{spread},0)),{size}*sqrt({middle}+{spread}),{azimuth})"
+    return f"boundary(make_ellipse($x,$y,{size}*sqrt(max({middle}-{spread},0)),{size}*sqrt({middle}+{spread}),{azimuth}))"
 
 
 def generated(expression: str, symbol: QgsSymbol) -> QgsGeometryGeneratorSymbolLayer:
@@ -116,11 +116,9 @@ def arrow(colour: str, width: float) -> QgsLineSymbol:
     return symbol_of(QgsLineSymbol(), shaft)
 
 
-def outline(colour: str, width: float = 0.2) -> QgsFillSymbol:
-    """Polygon outline with a light fill."""
-    fill = QColor(colour)
-    fill.setAlpha(35)
-    return symbol_of(QgsFillSymbol(), QgsSimpleFillSymbolLayer(fill, strokeColor=QColor(colour), strokeWidth=width))
+def outline(colour: str, width: float = 0.2) -> QgsLineSymbol:
+    """Line of an ellipse."""
+    return symbol_of(QgsLineSymbol(), QgsSimpleLineSymbolLayer(QColor(colour), width))
 
 
 def symbol_of(symbol: QgsSymbol, *layers: QgsSymbolLayer) -> Any:
@@ -142,17 +140,17 @@ def rules(*entries: tuple[str, str, QgsSymbol]) -> QgsRuleBasedRenderer:
 def unit_symbol(colour: str) -> QgsMarkerSymbol:
     """A unit seen from above: its legs in true size and direction, and its centre."""
     shades = []
-    for tone, share in (("#ffffff", 1.15), (colour, 1.0)):
-        leg = QgsSimpleLineSymbolLayer(QColor(tone), 1.0)
-        leg.setWidthUnit(Qgis.RenderUnit.MapUnits)
+    for tone, share in (("#ffffff", 1.5), (colour, 1.0)):
+        leg = QgsSimpleLineSymbolLayer(QColor(tone), 1.2 * share)
         leg.setPenCapStyle(Qt.PenCapStyle.RoundCap)
-        leg.setDataDefinedProperty(QgsSymbolLayer.Property.StrokeWidth, QgsProperty.fromExpression(f'{share * LEG_WIDTH:.3f}*"height"'))
+        leg.setDataDefinedProperty(
+            QgsSymbolLayer.Property.StrokeWidth, QgsProperty.fromExpression(f'{1000 * share * LEG_WIDTH:.0f}*"height"/@map_scale')
+        )
         shades.append(generated(leg_lines(), symbol_of(QgsLineSymbol(), leg)))
     centre = QgsMarkerSymbol.createSimple(
         {"name": "circle", "size": "1.4", "color": "#ffffff", "outline_color": colour, "outline_width": "0.3"}
     )
     symbol = symbol_of(QgsMarkerSymbol(), *shades, centre.symbolLayer(0).clone())
-    symbol.setOpacity(0.75)
     return symbol
 
 
@@ -231,7 +229,7 @@ def style_units(layer: QgsVectorLayer) -> None:
             )
         )
     )
-    layer.setLabeling(labels('"unit_id"', 300, 8))
+    layer.setLabeling(labels(f"if({LATEST}, \"unit_id\", '')", 300, 8))
     layer.setLabelsEnabled(True)
     layer.setRenderer3D(sphere(TEAL, 0.15))
     layer.setMapTipTemplate(
@@ -314,7 +312,7 @@ def style_control_residuals(layer: QgsVectorLayer) -> None:
         symbol.appendSymbolLayer(marker.symbolLayer(0).clone())
         entries.append((label, condition, symbol))
     layer.setRenderer(rules(*entries))
-    layer.setLabeling(labels('"point_id"', 1000, 8))
+    layer.setLabeling(labels('if("epoch" = maximum("epoch"), "point_id", \'\')', 1000, 8))
     layer.setLabelsEnabled(True)
     layer.setRenderer3D(sphere(GREEN, 0.1))
 
@@ -327,7 +325,7 @@ def style_check_residuals(layer: QgsVectorLayer) -> None:
     symbol = vector_symbol(PURPLE, 0.6, '"de"', '"dn"', 'sqrt("de"^2+"dn"^2)', on_line=False, with_ellipse=False)
     symbol.appendSymbolLayer(marker.symbolLayer(0).clone())
     layer.setRenderer(rules(("check point", "", symbol)))
-    layer.setLabeling(labels("\"point_id\" || ' ' || round(1000*\"d_3d\") || ' mm'", 300, 7, PURPLE))
+    layer.setLabeling(labels('if("epoch" = maximum("epoch"), "point_id" || \' \' || round(1000*"d_3d") || \' mm\', \'\')', 150, 7, PURPLE))
     layer.setLabelsEnabled(True)
     layer.setRenderer3D(sphere(PURPLE, 0.08))
 

@@ -55,7 +55,7 @@ def build(target: Path, revision: str = "HEAD") -> Path:
     with tempfile.TemporaryDirectory() as folder:
         archive = Path(folder) / "archive.zip"
         command = ["git", "-C", str(ROOT), "archive", "--format=zip", f"--prefix={PREFIX}/", "-o", str(archive), revision]
-        subprocess.run(command, check=True)  # noqa: S603  # nosec B603
+        subprocess.run(command, check=True)  # nosec B603
         built = translations.build(Path(folder) / "qm")
         with zipfile.ZipFile(archive, "a", zipfile.ZIP_DEFLATED) as packed:
             for path in built:
@@ -76,7 +76,7 @@ def objections(package: Path) -> list[str]:
         found += [f"{name} is missing" for name in NEEDED_FILES if f"{PREFIX}/{name}" not in names]
         found += _metadata_objections(packed.read(f"{PREFIX}/metadata.txt").decode("utf-8"), names)
         with tempfile.TemporaryDirectory() as folder:
-            packed.extractall(folder)  # noqa: S202  # nosec B202 - made by this script a moment ago
+            packed.extractall(folder)  # nosec B202 - made by this script a moment ago
             found += _bandit(Path(folder)) + _secrets(Path(folder))
     return found
 
@@ -101,7 +101,7 @@ def _metadata_objections(text: str, names: list[str]) -> list[str]:
 def _bandit(folder: Path) -> list[str]:
     """Findings of Bandit that no ``# nosec`` with a reason waives."""
     command = [sys.executable, "-m", "bandit", "-r", str(folder), "-f", "json", "-q"]
-    report = json.loads(subprocess.run(command, capture_output=True, text=True, check=False).stdout)  # noqa: S603  # nosec B603
+    report = json.loads(subprocess.run(command, capture_output=True, text=True, check=False).stdout)  # nosec B603
     return [
         f"bandit {r['test_id']} {Path(r['filename']).relative_to(folder)}:{r['line_number']}: {r['issue_text']}" for r in report["results"]
     ]
@@ -110,7 +110,7 @@ def _bandit(folder: Path) -> list[str]:
 def _secrets(folder: Path) -> list[str]:
     """Findings of detect-secrets."""
     command = [sys.executable, "-m", "detect_secrets", "scan", "--all-files", str(folder)]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, cwd=folder)  # noqa: S603  # nosec B603
+    done = subprocess.run(command, capture_output=True, text=True, check=True, cwd=folder)  # nosec B603
     results = json.loads(done.stdout)["results"]
     return [f"detect-secrets {entry['type']} {name}:{entry['line_number']}" for name, entries in results.items() for entry in entries]
 

@@ -16,7 +16,7 @@ def roof() -> np.ndarray:
 
 
 def test_the_face_towards_the_light_is_the_brighter() -> None:
-    grid = empty_grid((500_000, 4_000_000, 0), (500_010, 4_000_010, 5), 2.5)
+    grid = empty_grid((500_000, 4_000_000, 0), (500_010, 4_000_010, 5), 1.5)
     grid.add(roof())
     grey, alpha = shade(grid)
     middle = grey.shape[0] // 2
@@ -26,7 +26,7 @@ def test_the_face_towards_the_light_is_the_brighter() -> None:
 
 def test_cells_without_points_are_transparent() -> None:
     points = roof()
-    grid = empty_grid((500_000, 4_000_000, 0), (500_010, 4_000_010, 5), 2.5)
+    grid = empty_grid((500_000, 4_000_000, 0), (500_010, 4_000_010, 5), 1.5)
     grid.add(points[points[:, 0] < 500_004])
     _, alpha = shade(grid)
     assert (alpha[:, 50:] == 0).all()
@@ -34,7 +34,7 @@ def test_cells_without_points_are_transparent() -> None:
 
 def test_geotiff_keeps_place_and_crs(tmp_path: Path) -> None:
     rasterio = pytest.importorskip("rasterio")
-    grid = empty_grid((500_000, 4_000_000, 0), (500_010, 4_000_010, 5), 2.5)
+    grid = empty_grid((500_000, 4_000_000, 0), (500_010, 4_000_010, 5), 1.5)
     grid.add(roof())
     write_relief(tmp_path / "relief.tif", grid, "EPSG:32650")
     with rasterio.open(tmp_path / "relief.tif") as found:

@@ -1,10 +1,10 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
-<qgis autoRefreshTime="0" simplifyDrawingHints="1" simplifyAlgorithm="0" simplifyDrawingTol="1" simplifyMaxScale="1" styleCategories="Symbology|Symbology3D|Labeling|MapTips|Rendering|Temporal|Elevation" hasScaleBasedVisibilityFlag="0" maxScale="0" labelsEnabled="1" symbologyReferenceScale="-1" simplifyLocal="1" autoRefreshMode="Disabled" minScale="100000000" version="3.40.6-Bratislava">
-  <renderer-3d type="vector" layer="">
-    <vector-layer-3d-tiling zoom-levels-count="3" show-bounding-boxes="0"/>
-    <symbol material_type="phong" type="point" shape="sphere">
+<qgis simplifyMaxScale="1" styleCategories="Symbology|Symbology3D|Labeling|MapTips|Rendering|Temporal|Elevation" autoRefreshMode="Disabled" simplifyDrawingHints="1" simplifyLocal="1" simplifyDrawingTol="1" labelsEnabled="1" hasScaleBasedVisibilityFlag="0" autoRefreshTime="0" symbologyReferenceScale="-1" version="3.40.6-Bratislava" maxScale="0" simplifyAlgorithm="0" minScale="100000000">
+  <renderer-3d layer="" type="vector">
+    <vector-layer-3d-tiling show-bounding-boxes="0" zoom-levels-count="3"/>
+    <symbol type="point" shape="sphere" material_type="phong">
       <data alt-clamping="absolute"/>
-      <material ambient="31,95,52,255,rgb:0.12286564431219958,0.37384603646906234,0.20393682764934767,1" specular="255,255,255,255,rgb:1,1,1,1" opacity="1" ks="1" diffuse="47,143,78,255,rgb:0.18431372549019609,0.5607843137254902,0.30588235294117649,1" shininess="0" kd="1" ka="1">
+      <material opacity="1" kd="1" ks="1" specular="255,255,255,255,rgb:1,1,1,1" diffuse="47,143,78,255,rgb:0.18431372549019609,0.5607843137254902,0.30588235294117649,1" shininess="0" ambient="31,95,52,255,rgb:0.12286564431219958,0.37384603646906234,0.20393682764934767,1" ka="1">
         <data-defined-properties>
           <Option type="Map">
             <Option value="" type="QString" name="name"/>
@@ -20,7 +20,7 @@
         </Option>
       </shape-properties>
       <transform matrix="1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"/>
-      <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="marker" name="symbol" force_rhr="0">
+      <symbol type="marker" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="symbol" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" type="QString" name="name"/>
@@ -28,11 +28,11 @@
             <Option value="collection" type="QString" name="type"/>
           </Option>
         </data_defined_properties>
-        <layer class="SimpleMarker" pass="0" locked="0" id="{e42b94ab-2918-4db0-9877-bc3f3acc38be}" enabled="1">
+        <layer pass="0" enabled="1" class="SimpleMarker" locked="0" id="{947a409a-4882-4a3e-b493-c50d5c8b7b1d}">
           <Option type="Map">
             <Option value="0" type="QString" name="angle"/>
             <Option value="square" type="QString" name="cap_style"/>
-            <Option value="225,89,137,255,rgb:0.88235294117647056,0.34901960784313724,0.53725490196078429,1" type="QString" name="color"/>
+            <Option value="231,113,72,255,rgb:0.90588235294117647,0.44313725490196076,0.28235294117647058,1" type="QString" name="color"/>
             <Option value="1" type="QString" name="horizontal_anchor_point"/>
             <Option value="bevel" type="QString" name="joinstyle"/>
             <Option value="circle" type="QString" name="name"/>
@@ -61,13 +61,13 @@
       </symbol>
     </symbol>
   </renderer-3d>
-  <temporal startField="" startExpression="" accumulate="0" endField="" durationUnit="min" fixedDuration="0" endExpression="" durationField="" limitMode="0" mode="0" enabled="0">
+  <temporal endField="" endExpression="" fixedDuration="0" mode="0" enabled="0" durationField="" accumulate="0" limitMode="0" durationUnit="min" startField="" startExpression="">
     <fixedRange>
       <start></start>
       <end></end>
     </fixedRange>
   </temporal>
-  <elevation showMarkerSymbolInSurfacePlots="1" symbology="Line" extrusionEnabled="0" extrusion="0" zoffset="0" clamping="Absolute" binding="Vertex" type="IndividualFeatures" respectLayerSymbol="1" zscale="1">
+  <elevation zoffset="0" respectLayerSymbol="1" type="IndividualFeatures" binding="Vertex" extrusionEnabled="0" showMarkerSymbolInSurfacePlots="1" clamping="Absolute" symbology="Line" extrusion="0" zscale="1">
     <data-defined-properties>
       <Option type="Map">
         <Option value="" type="QString" name="name"/>
@@ -76,7 +76,7 @@
       </Option>
     </data-defined-properties>
     <profileLineSymbol>
-      <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="line" name="" force_rhr="0">
+      <symbol type="line" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" type="QString" name="name"/>
@@ -84,7 +84,7 @@
             <Option value="collection" type="QString" name="type"/>
           </Option>
         </data_defined_properties>
-        <layer class="SimpleLine" pass="0" locked="0" id="{1f8c8953-5179-4f3e-bd91-aee6acbd9f22}" enabled="1">
+        <layer pass="0" enabled="1" class="SimpleLine" locked="0" id="{7914c097-7c8a-4b8d-ad66-d54c65d7e04f}">
           <Option type="Map">
             <Option value="0" type="QString" name="align_dash_pattern"/>
             <Option value="square" type="QString" name="capstyle"/>
@@ -96,7 +96,7 @@
             <Option value="MM" type="QString" name="dash_pattern_offset_unit"/>
             <Option value="0" type="QString" name="draw_inside_polygon"/>
             <Option value="bevel" type="QString" name="joinstyle"/>
-            <Option value="196,60,57,255,rgb:0.7686274509803922,0.23529411764705882,0.22352941176470589,1" type="QString" name="line_color"/>
+            <Option value="190,207,80,255,rgb:0.74509803921568629,0.81176470588235294,0.31372549019607843,1" type="QString" name="line_color"/>
             <Option value="solid" type="QString" name="line_style"/>
             <Option value="0.6" type="QString" name="line_width"/>
             <Option value="MM" type="QString" name="line_width_unit"/>
@@ -125,7 +125,7 @@
       </symbol>
     </profileLineSymbol>
     <profileFillSymbol>
-      <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="fill" name="" force_rhr="0">
+      <symbol type="fill" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" type="QString" name="name"/>
@@ -133,15 +133,15 @@
             <Option value="collection" type="QString" name="type"/>
           </Option>
         </data_defined_properties>
-        <layer class="SimpleFill" pass="0" locked="0" id="{dca47ff8-1515-4214-9a20-414b117886d5}" enabled="1">
+        <layer pass="0" enabled="1" class="SimpleFill" locked="0" id="{f0097cc4-c2c3-493e-86b9-77fb5f114913}">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" type="QString" name="border_width_map_unit_scale"/>
-            <Option value="196,60,57,255,rgb:0.7686274509803922,0.23529411764705882,0.22352941176470589,1" type="QString" name="color"/>
+            <Option value="190,207,80,255,rgb:0.74509803921568629,0.81176470588235294,0.31372549019607843,1" type="QString" name="color"/>
             <Option value="bevel" type="QString" name="joinstyle"/>
             <Option value="0,0" type="QString" name="offset"/>
             <Option value="3x:0,0,0,0,0,0" type="QString" name="offset_map_unit_scale"/>
             <Option value="MM" type="QString" name="offset_unit"/>
-            <Option value="140,43,41,255,rgb:0.5490196078431373,0.16803234912642101,0.15967040512703135,1" type="QString" name="outline_color"/>
+            <Option value="136,148,57,255,rgb:0.53221942473487449,0.57982757305256738,0.22409399557488366,1" type="QString" name="outline_color"/>
             <Option value="solid" type="QString" name="outline_style"/>
             <Option value="0.2" type="QString" name="outline_width"/>
             <Option value="MM" type="QString" name="outline_width_unit"/>
@@ -158,7 +158,7 @@
       </symbol>
     </profileFillSymbol>
     <profileMarkerSymbol>
-      <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="marker" name="" force_rhr="0">
+      <symbol type="marker" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" type="QString" name="name"/>
@@ -166,18 +166,18 @@
             <Option value="collection" type="QString" name="type"/>
           </Option>
         </data_defined_properties>
-        <layer class="SimpleMarker" pass="0" locked="0" id="{03b295a2-6459-49b5-bb64-981f89779c03}" enabled="1">
+        <layer pass="0" enabled="1" class="SimpleMarker" locked="0" id="{6de7c4e0-97be-4699-8bc7-6104e1b5b380}">
           <Option type="Map">
             <Option value="0" type="QString" name="angle"/>
             <Option value="square" type="QString" name="cap_style"/>
-            <Option value="196,60,57,255,rgb:0.7686274509803922,0.23529411764705882,0.22352941176470589,1" type="QString" name="color"/>
+            <Option value="190,207,80,255,rgb:0.74509803921568629,0.81176470588235294,0.31372549019607843,1" type="QString" name="color"/>
             <Option value="1" type="QString" name="horizontal_anchor_point"/>
             <Option value="bevel" type="QString" name="joinstyle"/>
             <Option value="diamond" type="QString" name="name"/>
             <Option value="0,0" type="QString" name="offset"/>
             <Option value="3x:0,0,0,0,0,0" type="QString" name="offset_map_unit_scale"/>
             <Option value="MM" type="QString" name="offset_unit"/>
-            <Option value="140,43,41,255,rgb:0.5490196078431373,0.16803234912642101,0.15967040512703135,1" type="QString" name="outline_color"/>
+            <Option value="136,148,57,255,rgb:0.53221942473487449,0.57982757305256738,0.22409399557488366,1" type="QString" name="outline_color"/>
             <Option value="solid" type="QString" name="outline_style"/>
             <Option value="0.2" type="QString" name="outline_width"/>
             <Option value="3x:0,0,0,0,0,0" type="QString" name="outline_width_map_unit_scale"/>
@@ -199,14 +199,14 @@
       </symbol>
     </profileMarkerSymbol>
   </elevation>
-  <renderer-v2 symbollevels="0" forceraster="0" enableorderby="0" type="RuleRenderer" referencescale="-1">
-    <rules key="{f22d8140-ae28-4ce7-a1e3-e4af4f54f4ad}">
-      <rule symbol="0" label="used" filter="&quot;used&quot;" key="{b0ea4263-9e1b-45f4-a297-e7b21b04eb52}"/>
-      <rule symbol="1" label="disturbed, not used" filter="&quot;outlier&quot; and not &quot;used&quot;" key="{dca99796-6742-426e-b74a-105460437ae8}"/>
-      <rule symbol="2" label="not used" filter="not &quot;used&quot; and not &quot;outlier&quot;" key="{ba5fe9be-155f-4b5b-bd0b-da7e32117f1c}"/>
+  <renderer-v2 type="RuleRenderer" forceraster="0" enableorderby="0" symbollevels="0" referencescale="-1">
+    <rules key="{40fcdfed-e10c-4dfd-8eeb-da3987ec51bb}">
+      <rule filter="&quot;used&quot;" label="used" symbol="0" key="{ab3cbc41-4df4-45e9-b801-0a9289ea8eab}"/>
+      <rule filter="&quot;outlier&quot; and not &quot;used&quot;" label="disturbed, not used" symbol="1" key="{beda275d-6a13-42bf-9cd1-aa3e4356a7d4}"/>
+      <rule filter="not &quot;used&quot; and not &quot;outlier&quot;" label="not used" symbol="2" key="{0f761e14-2992-445a-8d19-2f5189d213d6}"/>
     </rules>
     <symbols>
-      <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="marker" name="0" force_rhr="0">
+      <symbol type="marker" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="0" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" type="QString" name="name"/>
@@ -214,7 +214,7 @@
             <Option value="collection" type="QString" name="type"/>
           </Option>
         </data_defined_properties>
-        <layer class="GeometryGenerator" pass="0" locked="0" id="{b30b92d9-ce9d-4600-bee9-ea9c76d9c77b}" enabled="1">
+        <layer pass="0" enabled="1" class="GeometryGenerator" locked="0" id="{a31856b5-009e-4139-9323-d46d65eebe6f}">
           <Option type="Map">
             <Option value="Line" type="QString" name="SymbolType"/>
             <Option value="make_line(make_point($x,$y),make_point($x+min(0.2, 0.03/max(sqrt(&quot;ve&quot;^2+&quot;vn&quot;^2),1e-6))*@map_scale*&quot;ve&quot;,$y+min(0.2, 0.03/max(sqrt(&quot;ve&quot;^2+&quot;vn&quot;^2),1e-6))*@map_scale*&quot;vn&quot;))" type="QString" name="geometryModifier"/>
@@ -227,7 +227,7 @@
               <Option value="collection" type="QString" name="type"/>
             </Option>
           </data_defined_properties>
-          <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="line" name="@0@0" force_rhr="0">
+          <symbol type="line" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="@0@0" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option value="" type="QString" name="name"/>
@@ -235,7 +235,7 @@
                 <Option value="collection" type="QString" name="type"/>
               </Option>
             </data_defined_properties>
-            <layer class="ArrowLine" pass="0" locked="0" id="{17ea9ae9-498d-41fd-b7a5-d7319789f9ef}" enabled="1">
+            <layer pass="0" enabled="1" class="ArrowLine" locked="0" id="{bc54efa8-6f93-4d48-a5cc-993bebf16a4a}">
               <Option type="Map">
                 <Option value="0.6" type="QString" name="arrow_start_width"/>
                 <Option value="MM" type="QString" name="arrow_start_width_unit"/>
@@ -265,7 +265,7 @@
                   <Option value="collection" type="QString" name="type"/>
                 </Option>
               </data_defined_properties>
-              <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="fill" name="@@0@0@0" force_rhr="0">
+              <symbol type="fill" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="@@0@0@0" force_rhr="0">
                 <data_defined_properties>
                   <Option type="Map">
                     <Option value="" type="QString" name="name"/>
@@ -273,7 +273,7 @@
                     <Option value="collection" type="QString" name="type"/>
                   </Option>
                 </data_defined_properties>
-                <layer class="SimpleFill" pass="0" locked="0" id="{72a8ed35-0220-4efd-983f-a29634cdfe18}" enabled="1">
+                <layer pass="0" enabled="1" class="SimpleFill" locked="0" id="{cc78926e-68ce-4dc1-9eef-7dd492c797c7}">
                   <Option type="Map">
                     <Option value="3x:0,0,0,0,0,0" type="QString" name="border_width_map_unit_scale"/>
                     <Option value="47,143,78,255,rgb:0.18431372549019609,0.5607843137254902,0.30588235294117649,1" type="QString" name="color"/>
@@ -299,7 +299,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer class="SimpleMarker" pass="0" locked="0" id="{9246deff-ee1b-4fc7-9159-44ba653c33d2}" enabled="1">
+        <layer pass="0" enabled="1" class="SimpleMarker" locked="0" id="{e950150d-12e2-41eb-a056-7b6b16da3d2b}">
           <Option type="Map">
             <Option value="0" type="QString" name="angle"/>
             <Option value="square" type="QString" name="cap_style"/>
@@ -330,7 +330,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="marker" name="1" force_rhr="0">
+      <symbol type="marker" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="1" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" type="QString" name="name"/>
@@ -338,7 +338,7 @@
             <Option value="collection" type="QString" name="type"/>
           </Option>
         </data_defined_properties>
-        <layer class="GeometryGenerator" pass="0" locked="0" id="{d628acd8-9cb8-41af-af69-8219ebdcbf99}" enabled="1">
+        <layer pass="0" enabled="1" class="GeometryGenerator" locked="0" id="{20bb76a1-c78a-4744-971e-190872bc9896}">
           <Option type="Map">
             <Option value="Line" type="QString" name="SymbolType"/>
             <Option value="make_line(make_point($x,$y),make_point($x+min(0.2, 0.03/max(sqrt(&quot;ve&quot;^2+&quot;vn&quot;^2),1e-6))*@map_scale*&quot;ve&quot;,$y+min(0.2, 0.03/max(sqrt(&quot;ve&quot;^2+&quot;vn&quot;^2),1e-6))*@map_scale*&quot;vn&quot;))" type="QString" name="geometryModifier"/>
@@ -351,7 +351,7 @@
               <Option value="collection" type="QString" name="type"/>
             </Option>
           </data_defined_properties>
-          <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="line" name="@1@0" force_rhr="0">
+          <symbol type="line" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="@1@0" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option value="" type="QString" name="name"/>
@@ -359,7 +359,7 @@
                 <Option value="collection" type="QString" name="type"/>
               </Option>
             </data_defined_properties>
-            <layer class="ArrowLine" pass="0" locked="0" id="{3797a008-777c-4e9c-81fc-3f8e942253de}" enabled="1">
+            <layer pass="0" enabled="1" class="ArrowLine" locked="0" id="{14211a7f-4a05-414a-96af-cf18fcdcbbf4}">
               <Option type="Map">
                 <Option value="0.6" type="QString" name="arrow_start_width"/>
                 <Option value="MM" type="QString" name="arrow_start_width_unit"/>
@@ -389,7 +389,7 @@
                   <Option value="collection" type="QString" name="type"/>
                 </Option>
               </data_defined_properties>
-              <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="fill" name="@@1@0@0" force_rhr="0">
+              <symbol type="fill" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="@@1@0@0" force_rhr="0">
                 <data_defined_properties>
                   <Option type="Map">
                     <Option value="" type="QString" name="name"/>
@@ -397,7 +397,7 @@
                     <Option value="collection" type="QString" name="type"/>
                   </Option>
                 </data_defined_properties>
-                <layer class="SimpleFill" pass="0" locked="0" id="{4f13edac-597e-4a4e-8bdb-35a339521889}" enabled="1">
+                <layer pass="0" enabled="1" class="SimpleFill" locked="0" id="{f996e78b-5d75-47fa-a09b-8c90d30a1b1d}">
                   <Option type="Map">
                     <Option value="3x:0,0,0,0,0,0" type="QString" name="border_width_map_unit_scale"/>
                     <Option value="198,40,40,255,rgb:0.77647058823529413,0.15686274509803921,0.15686274509803921,1" type="QString" name="color"/>
@@ -423,7 +423,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer class="SimpleMarker" pass="0" locked="0" id="{bf8ae660-d55b-4fe1-9021-a2207d78863a}" enabled="1">
+        <layer pass="0" enabled="1" class="SimpleMarker" locked="0" id="{51440aa8-661a-40b5-b464-72d48f993829}">
           <Option type="Map">
             <Option value="0" type="QString" name="angle"/>
             <Option value="square" type="QString" name="cap_style"/>
@@ -454,7 +454,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="marker" name="2" force_rhr="0">
+      <symbol type="marker" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="2" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" type="QString" name="name"/>
@@ -462,7 +462,7 @@
             <Option value="collection" type="QString" name="type"/>
           </Option>
         </data_defined_properties>
-        <layer class="GeometryGenerator" pass="0" locked="0" id="{60b7cc50-f7c5-40d8-9795-94f779840fbf}" enabled="1">
+        <layer pass="0" enabled="1" class="GeometryGenerator" locked="0" id="{c19d73c9-fc30-427d-8f0d-1c797802e69b}">
           <Option type="Map">
             <Option value="Line" type="QString" name="SymbolType"/>
             <Option value="make_line(make_point($x,$y),make_point($x+min(0.2, 0.03/max(sqrt(&quot;ve&quot;^2+&quot;vn&quot;^2),1e-6))*@map_scale*&quot;ve&quot;,$y+min(0.2, 0.03/max(sqrt(&quot;ve&quot;^2+&quot;vn&quot;^2),1e-6))*@map_scale*&quot;vn&quot;))" type="QString" name="geometryModifier"/>
@@ -475,7 +475,7 @@
               <Option value="collection" type="QString" name="type"/>
             </Option>
           </data_defined_properties>
-          <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="line" name="@2@0" force_rhr="0">
+          <symbol type="line" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="@2@0" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option value="" type="QString" name="name"/>
@@ -483,7 +483,7 @@
                 <Option value="collection" type="QString" name="type"/>
               </Option>
             </data_defined_properties>
-            <layer class="ArrowLine" pass="0" locked="0" id="{a2f46b84-5059-4aaa-bdb5-98f48f7d8ec9}" enabled="1">
+            <layer pass="0" enabled="1" class="ArrowLine" locked="0" id="{a5c68859-eb85-445f-a2b9-d80ef42c29fe}">
               <Option type="Map">
                 <Option value="0.6" type="QString" name="arrow_start_width"/>
                 <Option value="MM" type="QString" name="arrow_start_width_unit"/>
@@ -513,7 +513,7 @@
                   <Option value="collection" type="QString" name="type"/>
                 </Option>
               </data_defined_properties>
-              <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="fill" name="@@2@0@0" force_rhr="0">
+              <symbol type="fill" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="@@2@0@0" force_rhr="0">
                 <data_defined_properties>
                   <Option type="Map">
                     <Option value="" type="QString" name="name"/>
@@ -521,7 +521,7 @@
                     <Option value="collection" type="QString" name="type"/>
                   </Option>
                 </data_defined_properties>
-                <layer class="SimpleFill" pass="0" locked="0" id="{3d2fcd6f-825c-4d87-81df-831b94f2527e}" enabled="1">
+                <layer pass="0" enabled="1" class="SimpleFill" locked="0" id="{fea3797a-18fa-482f-b98c-b51d0ba91b66}">
                   <Option type="Map">
                     <Option value="3x:0,0,0,0,0,0" type="QString" name="border_width_map_unit_scale"/>
                     <Option value="138,148,156,255,rgb:0.54117647058823526,0.58039215686274515,0.61176470588235299,1" type="QString" name="color"/>
@@ -547,7 +547,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer class="SimpleMarker" pass="0" locked="0" id="{60833b18-76ca-49dd-aed3-c6f9fff4faaf}" enabled="1">
+        <layer pass="0" enabled="1" class="SimpleMarker" locked="0" id="{57b99c3f-6b72-4b54-b415-92e1d3dfe7b9}">
           <Option type="Map">
             <Option value="0" type="QString" name="angle"/>
             <Option value="square" type="QString" name="cap_style"/>
@@ -592,12 +592,12 @@
   </selection>
   <labeling type="simple">
     <settings calloutType="simple">
-      <text-style allowHtml="0" fontFamily="DejaVu LGC Sans" fontLetterSpacing="0" fontSizeMapUnitScale="3x:0,0,0,0,0,0" tabStopDistanceUnit="Percentage" fontSizeUnit="Point" textOrientation="horizontal" fontSize="8" textColor="32,48,58,255,rgb:0.12549019607843137,0.18823529411764706,0.22745098039215686,1" forcedItalic="0" useSubstitutions="0" tabStopDistance="6" forcedBold="0" fontStrikeout="0" fontWordSpacing="0" fontUnderline="0" tabStopDistanceMapUnitScale="3x:0,0,0,0,0,0" isExpression="1" multilineHeight="1" textOpacity="1" blendMode="0" fontWeight="50" fontItalic="0" previewBkgrdColor="255,255,255,255,rgb:1,1,1,1" fieldName="&quot;point_id&quot;" fontKerning="1" namedStyle="" multilineHeightUnit="Percentage" capitalization="0" legendString="Aa">
+      <text-style multilineHeightUnit="Percentage" fontItalic="0" textColor="32,48,58,255,rgb:0.12549019607843137,0.18823529411764706,0.22745098039215686,1" isExpression="1" fontKerning="1" allowHtml="0" fontWordSpacing="0" fontSize="8" previewBkgrdColor="255,255,255,255,rgb:1,1,1,1" blendMode="0" forcedItalic="0" useSubstitutions="0" forcedBold="0" capitalization="0" multilineHeight="1" tabStopDistanceUnit="Percentage" fontStrikeout="0" namedStyle="" tabStopDistanceMapUnitScale="3x:0,0,0,0,0,0" fontLetterSpacing="0" tabStopDistance="6" legendString="Aa" fontWeight="50" textOrientation="horizontal" fontFamily="DejaVu LGC Sans" fontSizeUnit="Point" fontSizeMapUnitScale="3x:0,0,0,0,0,0" textOpacity="1" fontUnderline="0" fieldName="if(&quot;epoch&quot; = maximum(&quot;epoch&quot;), &quot;point_id&quot;, '')">
         <families/>
-        <text-buffer bufferNoFill="1" bufferOpacity="1" bufferDraw="1" bufferSizeUnits="MM" bufferSizeMapUnitScale="3x:0,0,0,0,0,0" bufferColor="255,255,255,255,rgb:1,1,1,1" bufferJoinStyle="128" bufferBlendMode="0" bufferSize="0.69999999999999996"/>
-        <text-mask maskSize2="1.5" maskSize="1.5" maskOpacity="1" maskSizeMapUnitScale="3x:0,0,0,0,0,0" maskedSymbolLayers="" maskType="0" maskEnabled="0" maskSizeUnits="MM" maskJoinStyle="128"/>
-        <background shapeBorderWidth="0" shapeBorderWidthMapUnitScale="3x:0,0,0,0,0,0" shapeSizeType="0" shapeDraw="0" shapeOffsetUnit="MM" shapeType="0" shapeSVGFile="" shapeBorderColor="128,128,128,255,rgb:0.50196078431372548,0.50196078431372548,0.50196078431372548,1" shapeRadiiY="0" shapeRadiiX="0" shapeRotationType="0" shapeSizeX="0" shapeBlendMode="0" shapeOffsetY="0" shapeOpacity="1" shapeSizeUnit="MM" shapeOffsetX="0" shapeRadiiMapUnitScale="3x:0,0,0,0,0,0" shapeRadiiUnit="MM" shapeOffsetMapUnitScale="3x:0,0,0,0,0,0" shapeSizeY="0" shapeRotation="0" shapeJoinStyle="64" shapeSizeMapUnitScale="3x:0,0,0,0,0,0" shapeFillColor="255,255,255,255,rgb:1,1,1,1" shapeBorderWidthUnit="MM">
-          <symbol is_animated="0" frame_rate="10" clip_to_extent="1" alpha="1" type="fill" name="fillSymbol" force_rhr="0">
+        <text-buffer bufferNoFill="1" bufferSize="0.69999999999999996" bufferSizeUnits="MM" bufferColor="255,255,255,255,rgb:1,1,1,1" bufferSizeMapUnitScale="3x:0,0,0,0,0,0" bufferJoinStyle="128" bufferOpacity="1" bufferBlendMode="0" bufferDraw="1"/>
+        <text-mask maskType="0" maskOpacity="1" maskedSymbolLayers="" maskSize2="1.5" maskSizeUnits="MM" maskSize="1.5" maskJoinStyle="128" maskEnabled="0" maskSizeMapUnitScale="3x:0,0,0,0,0,0"/>
+        <background shapeOffsetX="0" shapeBorderWidthMapUnitScale="3x:0,0,0,0,0,0" shapeRadiiUnit="MM" shapeOffsetY="0" shapeBorderColor="128,128,128,255,rgb:0.50196078431372548,0.50196078431372548,0.50196078431372548,1" shapeJoinStyle="64" shapeSizeX="0" shapeRotationType="0" shapeRadiiY="0" shapeSizeMapUnitScale="3x:0,0,0,0,0,0" shapeRotation="0" shapeRadiiX="0" shapeSizeType="0" shapeSVGFile="" shapeType="0" shapeSizeUnit="MM" shapeBlendMode="0" shapeDraw="0" shapeOffsetUnit="MM" shapeBorderWidthUnit="MM" shapeOpacity="1" shapeOffsetMapUnitScale="3x:0,0,0,0,0,0" shapeFillColor="255,255,255,255,rgb:1,1,1,1" shapeSizeY="0" shapeBorderWidth="0" shapeRadiiMapUnitScale="3x:0,0,0,0,0,0">
+          <symbol type="fill" alpha="1" frame_rate="10" is_animated="0" clip_to_extent="1" name="fillSymbol" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option value="" type="QString" name="name"/>
@@ -605,7 +605,7 @@
                 <Option value="collection" type="QString" name="type"/>
               </Option>
             </data_defined_properties>
-            <layer class="SimpleFill" pass="0" locked="0" id="" enabled="1">
+            <layer pass="0" enabled="1" class="SimpleFill" locked="0" id="">
               <Option type="Map">
                 <Option value="3x:0,0,0,0,0,0" type="QString" name="border_width_map_unit_scale"/>
                 <Option value="255,255,255,255,rgb:1,1,1,1" type="QString" name="color"/>
@@ -629,7 +629,7 @@
             </layer>
           </symbol>
         </background>
-        <shadow shadowOffsetDist="1" shadowOffsetUnit="MM" shadowOpacity="0.69999999999999996" shadowBlendMode="6" shadowUnder="0" shadowOffsetMapUnitScale="3x:0,0,0,0,0,0" shadowDraw="0" shadowOffsetAngle="135" shadowOffsetGlobal="1" shadowRadius="1.5" shadowRadiusUnit="MM" shadowRadiusMapUnitScale="3x:0,0,0,0,0,0" shadowScale="100" shadowColor="0,0,0,255,rgb:0,0,0,1" shadowRadiusAlphaOnly="0"/>
+        <shadow shadowRadiusAlphaOnly="0" shadowOpacity="0.69999999999999996" shadowOffsetAngle="135" shadowRadius="1.5" shadowOffsetDist="1" shadowOffsetGlobal="1" shadowRadiusMapUnitScale="3x:0,0,0,0,0,0" shadowScale="100" shadowBlendMode="6" shadowOffsetUnit="MM" shadowOffsetMapUnitScale="3x:0,0,0,0,0,0" shadowColor="0,0,0,255,rgb:0,0,0,1" shadowDraw="0" shadowUnder="0" shadowRadiusUnit="MM"/>
         <dd_properties>
           <Option type="Map">
             <Option value="" type="QString" name="name"/>
@@ -639,9 +639,9 @@
         </dd_properties>
         <substitutions/>
       </text-style>
-      <text-format addDirectionSymbol="0" formatNumbers="0" reverseDirectionSymbol="0" wrapChar="" multilineAlign="3" plussign="0" rightDirectionSymbol=">" leftDirectionSymbol="&lt;" useMaxLineLengthForAutoWrap="1" autoWrapLength="0" placeDirectionSymbol="0" decimals="3"/>
-      <placement maxCurvedCharAngleIn="25" repeatDistanceUnits="MM" distMapUnitScale="3x:0,0,0,0,0,0" lineAnchorClipping="0" overrunDistance="0" repeatDistance="0" placement="0" overlapHandling="PreventOverlap" predefinedPositionOrder="TR,TL,BR,BL,R,L,TSR,BSR" geometryGeneratorEnabled="0" lineAnchorType="0" centroidInside="0" layerType="UnknownGeometry" lineAnchorTextPoint="FollowPlacement" fitInPolygonOnly="0" quadOffset="4" geometryGeneratorType="PointGeometry" prioritization="PreferCloser" overrunDistanceUnit="MM" rotationUnit="AngleDegrees" maximumDistanceUnit="MM" labelOffsetMapUnitScale="3x:0,0,0,0,0,0" overrunDistanceMapUnitScale="3x:0,0,0,0,0,0" allowDegraded="0" lineAnchorPercent="0.5" preserveRotation="1" maxCurvedCharAngleOut="-25" maximumDistance="0" polygonPlacementFlags="2" centroidWhole="0" distUnits="MM" repeatDistanceMapUnitScale="3x:0,0,0,0,0,0" maximumDistanceMapUnitScale="3x:0,0,0,0,0,0" offsetUnits="MM" placementFlags="10" offsetType="0" geometryGenerator="" dist="0" yOffset="0" rotationAngle="0" xOffset="0" priority="5"/>
-      <rendering obstacle="1" maxNumLabels="2000" minFeatureSize="0" scaleMax="1000" fontMinPixelSize="0" fontLimitPixelSize="0" scaleMin="0" zIndex="0" mergeLines="0" fontMaxPixelSize="10000" upsidedownLabels="0" unplacedVisibility="0" obstacleFactor="1" limitNumLabels="0" labelPerPart="0" drawLabels="1" obstacleType="1" scaleVisibility="1"/>
+      <text-format placeDirectionSymbol="0" autoWrapLength="0" useMaxLineLengthForAutoWrap="1" addDirectionSymbol="0" reverseDirectionSymbol="0" rightDirectionSymbol=">" wrapChar="" formatNumbers="0" decimals="3" plussign="0" leftDirectionSymbol="&lt;" multilineAlign="3"/>
+      <placement maxCurvedCharAngleOut="-25" repeatDistanceMapUnitScale="3x:0,0,0,0,0,0" rotationUnit="AngleDegrees" maximumDistance="0" placementFlags="10" maximumDistanceUnit="MM" priority="5" preserveRotation="1" maximumDistanceMapUnitScale="3x:0,0,0,0,0,0" quadOffset="4" fitInPolygonOnly="0" polygonPlacementFlags="2" prioritization="PreferCloser" offsetUnits="MM" allowDegraded="0" overrunDistanceUnit="MM" maxCurvedCharAngleIn="25" lineAnchorTextPoint="FollowPlacement" centroidInside="0" offsetType="0" overlapHandling="PreventOverlap" geometryGeneratorEnabled="0" dist="0" overrunDistance="0" geometryGenerator="" lineAnchorType="0" xOffset="0" lineAnchorPercent="0.5" labelOffsetMapUnitScale="3x:0,0,0,0,0,0" rotationAngle="0" distUnits="MM" overrunDistanceMapUnitScale="3x:0,0,0,0,0,0" repeatDistanceUnits="MM" lineAnchorClipping="0" layerType="UnknownGeometry" centroidWhole="0" predefinedPositionOrder="TR,TL,BR,BL,R,L,TSR,BSR" yOffset="0" distMapUnitScale="3x:0,0,0,0,0,0" repeatDistance="0" placement="0" geometryGeneratorType="PointGeometry"/>
+      <rendering fontMinPixelSize="0" scaleMin="0" upsidedownLabels="0" minFeatureSize="0" obstacle="1" drawLabels="1" obstacleFactor="1" labelPerPart="0" limitNumLabels="0" scaleVisibility="1" maxNumLabels="2000" scaleMax="1000" mergeLines="0" unplacedVisibility="0" obstacleType="1" fontMaxPixelSize="10000" zIndex="0" fontLimitPixelSize="0"/>
       <dd_properties>
         <Option type="Map">
           <Option value="" type="QString" name="name"/>
@@ -661,7 +661,7 @@
           <Option value="false" type="bool" name="drawToAllParts"/>
           <Option value="0" type="QString" name="enabled"/>
           <Option value="point_on_exterior" type="QString" name="labelAnchorPoint"/>
-          <Option value="&lt;symbol is_animated=&quot;0&quot; frame_rate=&quot;10&quot; clip_to_extent=&quot;1&quot; alpha=&quot;1&quot; type=&quot;line&quot; name=&quot;symbol&quot; force_rhr=&quot;0&quot;>&lt;data_defined_properties>&lt;Option type=&quot;Map&quot;>&lt;Option value=&quot;&quot; type=&quot;QString&quot; name=&quot;name&quot;/>&lt;Option name=&quot;properties&quot;/>&lt;Option value=&quot;collection&quot; type=&quot;QString&quot; name=&quot;type&quot;/>&lt;/Option>&lt;/data_defined_properties>&lt;layer class=&quot;SimpleLine&quot; pass=&quot;0&quot; locked=&quot;0&quot; id=&quot;{3f6df099-13aa-4d96-a868-9283712aca2a}&quot; enabled=&quot;1&quot;>&lt;Option type=&quot;Map&quot;>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;align_dash_pattern&quot;/>&lt;Option value=&quot;square&quot; type=&quot;QString&quot; name=&quot;capstyle&quot;/>&lt;Option value=&quot;5;2&quot; type=&quot;QString&quot; name=&quot;customdash&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;customdash_map_unit_scale&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;customdash_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;dash_pattern_offset&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;dash_pattern_offset_map_unit_scale&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;dash_pattern_offset_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;draw_inside_polygon&quot;/>&lt;Option value=&quot;bevel&quot; type=&quot;QString&quot; name=&quot;joinstyle&quot;/>&lt;Option value=&quot;60,60,60,255,rgb:0.23529411764705882,0.23529411764705882,0.23529411764705882,1&quot; type=&quot;QString&quot; name=&quot;line_color&quot;/>&lt;Option value=&quot;solid&quot; type=&quot;QString&quot; name=&quot;line_style&quot;/>&lt;Option value=&quot;0.3&quot; type=&quot;QString&quot; name=&quot;line_width&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;line_width_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;offset&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;offset_map_unit_scale&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;offset_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;ring_filter&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;trim_distance_end&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;trim_distance_end_map_unit_scale&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;trim_distance_end_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;trim_distance_start&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;trim_distance_start_map_unit_scale&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;trim_distance_start_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;tweak_dash_pattern_on_corners&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;use_custom_dash&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;width_map_unit_scale&quot;/>&lt;/Option>&lt;data_defined_properties>&lt;Option type=&quot;Map&quot;>&lt;Option value=&quot;&quot; type=&quot;QString&quot; name=&quot;name&quot;/>&lt;Option name=&quot;properties&quot;/>&lt;Option value=&quot;collection&quot; type=&quot;QString&quot; name=&quot;type&quot;/>&lt;/Option>&lt;/data_defined_properties>&lt;/layer>&lt;/symbol>" type="QString" name="lineSymbol"/>
+          <Option value="&lt;symbol type=&quot;line&quot; alpha=&quot;1&quot; frame_rate=&quot;10&quot; is_animated=&quot;0&quot; clip_to_extent=&quot;1&quot; name=&quot;symbol&quot; force_rhr=&quot;0&quot;>&lt;data_defined_properties>&lt;Option type=&quot;Map&quot;>&lt;Option value=&quot;&quot; type=&quot;QString&quot; name=&quot;name&quot;/>&lt;Option name=&quot;properties&quot;/>&lt;Option value=&quot;collection&quot; type=&quot;QString&quot; name=&quot;type&quot;/>&lt;/Option>&lt;/data_defined_properties>&lt;layer pass=&quot;0&quot; enabled=&quot;1&quot; class=&quot;SimpleLine&quot; locked=&quot;0&quot; id=&quot;{7d1f0224-7ab2-4ddf-b101-c3f3dd745ef6}&quot;>&lt;Option type=&quot;Map&quot;>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;align_dash_pattern&quot;/>&lt;Option value=&quot;square&quot; type=&quot;QString&quot; name=&quot;capstyle&quot;/>&lt;Option value=&quot;5;2&quot; type=&quot;QString&quot; name=&quot;customdash&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;customdash_map_unit_scale&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;customdash_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;dash_pattern_offset&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;dash_pattern_offset_map_unit_scale&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;dash_pattern_offset_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;draw_inside_polygon&quot;/>&lt;Option value=&quot;bevel&quot; type=&quot;QString&quot; name=&quot;joinstyle&quot;/>&lt;Option value=&quot;60,60,60,255,rgb:0.23529411764705882,0.23529411764705882,0.23529411764705882,1&quot; type=&quot;QString&quot; name=&quot;line_color&quot;/>&lt;Option value=&quot;solid&quot; type=&quot;QString&quot; name=&quot;line_style&quot;/>&lt;Option value=&quot;0.3&quot; type=&quot;QString&quot; name=&quot;line_width&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;line_width_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;offset&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;offset_map_unit_scale&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;offset_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;ring_filter&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;trim_distance_end&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;trim_distance_end_map_unit_scale&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;trim_distance_end_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;trim_distance_start&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;trim_distance_start_map_unit_scale&quot;/>&lt;Option value=&quot;MM&quot; type=&quot;QString&quot; name=&quot;trim_distance_start_unit&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;tweak_dash_pattern_on_corners&quot;/>&lt;Option value=&quot;0&quot; type=&quot;QString&quot; name=&quot;use_custom_dash&quot;/>&lt;Option value=&quot;3x:0,0,0,0,0,0&quot; type=&quot;QString&quot; name=&quot;width_map_unit_scale&quot;/>&lt;/Option>&lt;data_defined_properties>&lt;Option type=&quot;Map&quot;>&lt;Option value=&quot;&quot; type=&quot;QString&quot; name=&quot;name&quot;/>&lt;Option name=&quot;properties&quot;/>&lt;Option value=&quot;collection&quot; type=&quot;QString&quot; name=&quot;type&quot;/>&lt;/Option>&lt;/data_defined_properties>&lt;/layer>&lt;/symbol>" type="QString" name="lineSymbol"/>
           <Option value="0" type="double" name="minLength"/>
           <Option value="3x:0,0,0,0,0,0" type="QString" name="minLengthMapUnitScale"/>
           <Option value="MM" type="QString" name="minLengthUnit"/>
