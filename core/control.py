@@ -12,7 +12,7 @@ from __future__ import annotations
 import csv
 import itertools
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -115,6 +115,18 @@ class Transformation:
         matrix = Rotation.from_rotvec(np.asarray(turn, dtype=np.float64)).as_matrix()
         translation = matrix @ self.translation + np.asarray(shift, dtype=np.float64)
         return replace(self, translation=translation, rotation=matrix @ self.rotation, covariance=covariance)
+
+    @classmethod
+    def from_record(cls, record: Mapping[str, Any]) -> Transformation:
+        """Inverse of :meth:`as_record`."""
+        return cls(
+            np.array(record["origin_from"], dtype=np.float64),
+            np.array(record["origin_to"], dtype=np.float64),
+            np.array(record["translation_m"], dtype=np.float64),
+            Rotation.from_rotvec(record["rotation_vector_rad"]).as_matrix(),
+            float(record["scale"]),
+            np.array(record["covariance"], dtype=np.float64),
+        )
 
     def as_record(self) -> dict[str, Any]:
         """Plain numbers for the run record and the layer ``epochs``."""
@@ -335,7 +347,7 @@ def to_survey_frame(points: SurveyedPoints, crs: str | None, survey_crs: str, un
         raise CrsError(
             f"heights are in {source.sub_crs_list[1].name}, the survey's CRS {survey_crs} has no height system",
             source=points.source,
-            remedy=f'Declare the survey\'s as well, for example crs = "{survey_crs}+5703", or drop it from control_crs if both are the same.',
+            remedy="Give the survey's crs its height system too, or drop it from control_crs if both are equal.",
         )
     group = pyproj.transformer.TransformerGroup(source, target, always_xy=True)
     if group.unavailable_operations and not group.best_available:

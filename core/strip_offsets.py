@@ -174,7 +174,9 @@ def _observe(  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
-def _accumulate(rows, residual, patch, strip_local, body, sigma, tukey, normal, rhs, patch_rows, patch_weight, patch_rhs, n_pose):  # type: ignore[no-untyped-def]
+def _accumulate(  # type: ignore[no-untyped-def]
+    rows, residual, patch, strip_local, body, sigma, tukey, normal, rhs, patch_rows, patch_weight, patch_rhs, n_pose
+):
     """Add one sighting to its unit's normal equations; returns the number of points with weight and their squared sum."""
     index = np.zeros(10, dtype=np.int64)
     value = np.zeros(10)

@@ -13,6 +13,7 @@ from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import block_diag
 from scipy.spatial import cKDTree
 
 from .congruence import Congruence, NullModel, calibrate, congruence_of
@@ -57,7 +58,9 @@ class FittedUnit:
     discs
         (4,) legs whose end disc was used.
     points, sources
-        (n, 3), (n,) its points and their strips or stations.
+        (n, 3), (n,) its points and their strips or stations; none where only the fit is known.
+    covariance
+        (6, 6) of the fitted pose, used where there are no points.
     """
 
     pose: Pose
@@ -67,6 +70,7 @@ class FittedUnit:
     discs: NDArray[np.bool_]
     points: FloatArray
     sources: NDArray[np.integer]
+    covariance: FloatArray | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -335,7 +339,22 @@ def _adjust(seen: Sequence[dict[int, FittedUnit]]) -> tuple[JointAdjustment, dic
             s = own[epoch]
             numbers[unit, epoch] = len(sightings)
             sightings.append(UnitSighting(unit, epoch, s.pose, s.points, s.sources, s.discs, s.shape))
-    return adjust_jointly(sightings), numbers
+    if any(len(s.points) for s in sightings):
+        return adjust_jointly(sightings), numbers
+    return _as_fitted(seen, numbers), numbers
+
+
+def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, int], int]) -> JointAdjustment:
+    """Poses and covariances of the fits of single epochs in the form of a joint adjustment."""
+    poses = tuple(seen[unit][epoch].pose for unit, epoch in numbers)
+    order = {unit: tuple(numbers[unit, epoch] for epoch in sorted(own)) for unit, own in enumerate(seen)}
+    covariances = {}
+    for unit, own in enumerate(seen):
+        blocks = [c if (c := own[epoch].covariance) is not None else np.eye(6) * own[epoch].shape.height ** 2 for epoch in sorted(own)]
+        covariances[unit] = np.asarray(block_diag(*blocks), dtype=np.float64)
+    epochs = 1 + max((epoch for _, epoch in numbers), default=-1)
+    scales = dict.fromkeys(order, 0.0)
+    return JointAdjustment(poses, covariances, order, {}, {}, scales, np.full(epochs, math.nan), 0.0, np.zeros(len(poses), dtype=np.int64))
 
 
 def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
@@ -449,6 +468,8 @@ def _cross_checks(
         noise = float(np.nanmax(joint.noise[[first, second]])) if len(joint.noise) > second else math.nan
         for unit, own in enumerate(seen):
             if first not in own or second not in own or not (own[first].certain or own[second].certain):
+                continue
+            if not (len(own[first].points) and len(own[second].points)):
                 continue
             a, b = numbers[unit, first], numbers[unit, second]
             block = _joint_block(joint, unit, a, b)

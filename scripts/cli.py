@@ -185,6 +185,65 @@ def register(
 
 
 @app.command()
+def track(
+    units: ResultFile,
+    output: Output,
+    registration: Annotated[list[Path] | None, typer.Option("--registration", help="Result of register; repeat for several")] = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Identity, datum and displacements from the fitted units of several epochs."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.epoch_steps import run_track
+
+        return run_track(units, registration or [], output, feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def validate(
+    features: ResultFile,
+    check: Annotated[Path, typer.Option("--check", help="CSV of surveyed check points", show_default=False)],
+    output: Output,
+    epoch: Annotated[str | None, typer.Option("--epoch", help="Epoch the check points belong to")] = None,
+    picks: Annotated[Path | None, typer.Option("--picks", help="CSV of manual picks: point_id,epoch,easting,northing,height")] = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Feature points less surveyed check points."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.epoch_steps import run_validate
+
+        return run_validate(features, check, picks, epoch, output, feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command("register-views")
+def register_views(
+    views: Annotated[list[Path], typer.Argument(metavar="VIEWS...", help="LAS/LAZ files that overlap", show_default=False)],
+    output: Output,
+    voxel: Annotated[float | None, typer.Option("--voxel", help="Edge of the voxels, metres; default from the point spacing")] = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Register overlapping views of a depth camera into one cloud."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.epoch_steps import run_register_views
+
+        return run_register_views(views, output, voxel, feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
 def simulate(
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder to make", show_default=False)],
     instrument: Annotated[str, typer.Option("--instrument", help="uav, tls, photogrammetry or depth_camera")] = "uav",
