@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from .errors import InputError
 from .outline import LEG_LENGTH_RATIO, TETRAHEDRAL_LEGS, PlacedShape, rotation_of_quaternion
 from .result_tables import EpochPair, Row, connect, parse_settings, parse_time, query, read_layer_rows, table_names
+from .schema import DATUMS
 
 FloatArray = NDArray[np.float64]
 
@@ -24,6 +25,18 @@ CHI2_3_95 = 7.814727903
 """95 % quantile of chi-square with three degrees of freedom."""
 Z_95 = 1.959963985
 """Half width of a two-sided 95 % band in standard deviations."""
+
+
+# the geometry of ten thousand lines costs more than all their numbers; where a unit lies is known from the layer units
+SELECT_MOTION = (
+    "SELECT unit_id, class, de, dn, dh, d_3d, d_horizontal, sd_e, sd_n, sd_h, rotation_deg, sd_rotation_deg, p_value, significant, "
+    "detectable FROM displacements WHERE feature = 'centre' AND epoch_from = ? AND epoch_to = ? AND datum = ?"
+)
+SELECT_OTHER_MOTION = (
+    "SELECT unit_id, class, de, dn, dh, d_3d, d_horizontal, sd_e, sd_n, sd_h, rotation_deg, sd_rotation_deg, p_value, significant, "
+    "detectable FROM displacements_other WHERE feature = 'centre' AND epoch_from = ? AND epoch_to = ? AND datum = ?"
+)
+SELECT_UNITS = "SELECT unit_id, geom, status, coverage, height FROM units WHERE epoch = ?"
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,13 +187,16 @@ def read_epochs(path: Path) -> tuple[EpochInfo, ...]:
 
 def datums(path: Path, pair: EpochPair) -> tuple[str, ...]:
     """Datums in which a pair has displacements; ``stable`` first."""
+    have_other = _has_other(path)
+    default = "SELECT 1 FROM displacements WHERE epoch_from = ? AND epoch_to = ? AND datum = ? LIMIT 1"
+    other = "SELECT 1 FROM displacements_other WHERE epoch_from = ? AND epoch_to = ? AND datum = ? LIMIT 1"
+    found = []
     with closing(connect(path)) as connection:
-        statement = "SELECT DISTINCT datum FROM displacements WHERE epoch_from = ? AND epoch_to = ?"
-        found = {row["datum"] for row in connection.execute(statement, (pair.epoch_from, pair.epoch_to))}
-        if _has_other(path):
-            statement = "SELECT DISTINCT datum FROM displacements_other WHERE epoch_from = ? AND epoch_to = ?"
-            found |= {row["datum"] for row in connection.execute(statement, (pair.epoch_from, pair.epoch_to))}
-    return tuple(sorted((str(d) for d in found if d), key=lambda d: (d != "stable", d)))
+        for datum in DATUMS:
+            key = (pair.epoch_from, pair.epoch_to, datum)
+            if connection.execute(default, key).fetchone() or (have_other and connection.execute(other, key).fetchone()):
+                found.append(datum)
+    return tuple(found)
 
 
 def read_unit_rows(path: Path, pair: EpochPair, datum: str) -> list[UnitRow]:
@@ -191,14 +207,13 @@ def read_unit_rows(path: Path, pair: EpochPair, datum: str) -> list[UnitRow]:
     InputError
         The file cannot be read, or has no such epochs.
     """
-    statement = "SELECT * FROM displacements WHERE feature = 'centre' AND epoch_from = ? AND epoch_to = ? AND datum = ?"
     key = (pair.epoch_from, pair.epoch_to, datum)
     with closing(connect(path)) as connection:
-        moved = query(connection, statement, key)
+        moved = query(connection, SELECT_MOTION, key)
         if not moved and _has_other(path):
-            moved = query(connection, statement.replace("displacements", "displacements_other", 1), key)
-        early = {row["unit_id"]: row for row in query(connection, "SELECT * FROM units WHERE epoch = ?", (pair.epoch_from,))}
-        late = {row["unit_id"]: row for row in query(connection, "SELECT * FROM units WHERE epoch = ?", (pair.epoch_to,))}
+            moved = query(connection, SELECT_OTHER_MOTION, key)
+        early = {row["unit_id"]: row for row in query(connection, SELECT_UNITS, (pair.epoch_from,))}
+        late = {row["unit_id"]: row for row in query(connection, SELECT_UNITS, (pair.epoch_to,))}
     if not early and not late:
         raise InputError(f"has no epochs {pair}", source=path, remedy="Choose an epoch pair the result holds.")
     by_unit = {row["unit_id"]: row for row in moved}
@@ -317,7 +332,7 @@ def _unit_row(unit: str, moved: Row | None, early: Row | None, late: Row | None)
     return UnitRow(
         unit,
         str(moved["class"] or "uncertain"),
-        moved["geom"][0] if moved["geom"] is not None else place,
+        place,
         _vector(moved),
         _sd(moved),
         moved["d_3d"],
@@ -328,7 +343,7 @@ def _unit_row(unit: str, moved: Row | None, early: Row | None, late: Row | None)
         bool(moved["significant"]),
         least,
         height,
-        moved.get("detectable"),
+        moved["detectable"],
     )
 
 

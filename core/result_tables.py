@@ -13,6 +13,7 @@ from collections.abc import Iterable, Mapping
 from contextlib import closing
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -195,14 +196,14 @@ def parse_settings(text: str | None) -> dict[str, Any]:
 
 
 def epoch_pairs(path: Path) -> tuple[EpochPair, ...]:
-    """Epoch pairs of the result: consecutive ones first in time, then the others."""
-    consecutive = (
-        "SELECT epoch_from, epoch_to, min(time_from) AS start, min(time_to) AS stop FROM displacements GROUP BY 1, 2 ORDER BY 3, 4"
-    )
-    other = (
-        "SELECT epoch_from, epoch_to, min(time_from) AS start, min(time_to) AS stop FROM displacements_other GROUP BY 1, 2 ORDER BY 3, 4"
-    )
-    statements = (consecutive, other) if "displacements_other" in table_names(path) else (consecutive,)
+    """Epoch pairs the result compares: consecutive ones in the order of time first, then the others."""
+    have_other = "displacements_other" in table_names(path)
+    consecutive = "SELECT 1 FROM displacements WHERE epoch_from = ? AND epoch_to = ? LIMIT 1"
+    other = "SELECT 1 FROM displacements_other WHERE epoch_from = ? AND epoch_to = ? LIMIT 1"
     with closing(connect(path)) as connection:
-        found = [EpochPair(row["epoch_from"], row["epoch_to"]) for statement in statements for row in connection.execute(statement)]
-    return tuple(dict.fromkeys(found))
+        labels = [str(row["label"]) for row in connection.execute("SELECT label FROM epochs ORDER BY time")]
+        possible = list(combinations(labels, 2))
+        found = [pair for pair in possible if connection.execute(consecutive, pair).fetchone()]
+        if have_other:
+            found += [pair for pair in possible if pair not in found and connection.execute(other, pair).fetchone()]
+    return tuple(EpochPair(*pair) for pair in found)

@@ -34,11 +34,18 @@ REGISTER = (
     "INSERT OR IGNORE INTO gpkg_contents (table_name, data_type, identifier, description, last_change) VALUES (?, 'attributes', ?, ?, ?)"
 )
 INDICES = (
-    "CREATE INDEX IF NOT EXISTS review_log_unit ON review_log (unit_id)",
-    "CREATE INDEX IF NOT EXISTS reviews_unit ON reviews (unit_id)",
-    "CREATE INDEX IF NOT EXISTS feature_points_unit ON feature_points (unit_id)",
-    "CREATE INDEX IF NOT EXISTS displacements_unit ON displacements (unit_id)",
-    "CREATE INDEX IF NOT EXISTS units_unit ON units (unit_id)",
+    ("review_log", "CREATE INDEX IF NOT EXISTS review_log_unit ON review_log (unit_id)"),
+    ("reviews", "CREATE INDEX IF NOT EXISTS reviews_unit ON reviews (unit_id)"),
+    ("feature_points", "CREATE INDEX IF NOT EXISTS feature_points_unit ON feature_points (unit_id)"),
+    ("displacements", "CREATE INDEX IF NOT EXISTS displacements_unit ON displacements (unit_id)"),
+    ("displacements", "CREATE INDEX IF NOT EXISTS displacements_pair ON displacements (epoch_from, epoch_to, datum, feature)"),
+    ("displacements_other", "CREATE INDEX IF NOT EXISTS displacements_other_unit ON displacements_other (unit_id)"),
+    (
+        "displacements_other",
+        "CREATE INDEX IF NOT EXISTS displacements_other_pair ON displacements_other (epoch_from, epoch_to, datum, feature)",
+    ),
+    ("units", "CREATE INDEX IF NOT EXISTS units_epoch ON units (epoch)"),
+    ("units", "CREATE INDEX IF NOT EXISTS units_unit ON units (unit_id)"),
 )
 
 
@@ -105,7 +112,7 @@ def read_history(path: Path, unit_id: str | None = None) -> list[ReviewEvent]:
 
 
 def prepare(path: Path) -> None:
-    """Create what reviewing needs in a result: the two tables and indices by unit.
+    """Create what reviewing needs in a result: the two tables, and indices by unit and epoch pair.
 
     Raises
     ------
@@ -114,6 +121,10 @@ def prepare(path: Path) -> None:
     """
     with writing(path) as connection:
         _prepare(connection)
+        tables = {str(row["name"]) for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+        for table, statement in INDICES:
+            if table in tables:
+                connection.execute(statement)
 
 
 def decide(path: Path, unit_ids: Sequence[str], pair: EpochPair, decision: Decision, *, comment: str, reviewer: str) -> list[int]:
@@ -218,8 +229,6 @@ def _prepare(connection: sqlite3.Connection) -> None:
         connection.execute("ALTER TABLE reviews ADD COLUMN confirmed_by TEXT")
     if "confirmed_at" not in present:
         connection.execute("ALTER TABLE reviews ADD COLUMN confirmed_at DATETIME")
-    for statement in INDICES:
-        connection.execute(statement)
     register_attributes(connection, "reviews", "Decision of the reviewers on each unit and epoch pair")
     register_attributes(connection, "review_log", "Every act of every reviewer, oldest first")
 

@@ -469,7 +469,8 @@ class ReviewDock(QgsDockWidget):
                 self.map.zoom()
         if topic in ("rows", "selection", "reviews"):
             self._show_unit()
-        self._show_counts()
+        if topic != "selection":
+            self._show_counts()
 
     def _show_counts(self) -> None:
         numbers = self.store.statistics()
@@ -853,7 +854,7 @@ class ReviewDock(QgsDockWidget):
         pose = NewPose(centre, rotation, shape.radius, shape.gradient, height, np.full(3, sd), turn)
         set_pose(self.store.path, unit, epoch, pose, editor=self.reviewer.text(), comment=tr("pinned by three joints"))
         store_picks(self.store.path, unit, epoch, dict(zip(names, picking.points, strict=True)), editor=self.reviewer.text())
-        self.store.reload()
+        self._reload()
         self._say(tr("{unit} pinned; the picks fit within {length}.").format(unit=unit, length=length_format().text(misfit)))
 
     def _pick(self, picking: Picking) -> None:
@@ -923,8 +924,13 @@ class ReviewDock(QgsDockWidget):
             last = standing[-1]
             self._edited(last.unit_id, tr("Taken back: {kind} {unit}.").format(kind=edit_label(last.kind), unit=last.unit_id))
 
-    def _edited(self, unit: str | None, message: str) -> None:
+    def _reload(self) -> None:
+        """Take in what a correction changed in the file."""
         self.store.reload()
+        self.map.reload()
+
+    def _edited(self, unit: str | None, message: str) -> None:
+        self._reload()
         if unit is not None:
             self.store.select([unit])
         self._say(message)
@@ -979,7 +985,7 @@ class ReviewDock(QgsDockWidget):
                 self._say(message, bad=True)
             elif self.store is not None:
                 self._open_index()
-                self.store.reload()
+                self._reload()
                 self._say(success)
 
         task = EngineTask(title, arguments, done)

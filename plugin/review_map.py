@@ -48,6 +48,7 @@ class ReviewMap(QObject):
         self.store, self.canvas, self.project = store, canvas, project
         self._group: QgsLayerTreeGroup | None = None
         self._following = False
+        self._shown: tuple[object, ...] | None = None
         self._fids: dict[str, list[int]] = {}
         self._units: dict[int, str] = {}
         self.units = self._open("units", tr("Units reviewed"))
@@ -57,7 +58,6 @@ class ReviewMap(QObject):
         self.layers = [layer for layer in (self.rejected, self.displacements, self.other, self.units) if layer.isValid()]
         self._style()
         self._add()
-        self.show_pair()
         self.units.selectionChanged.connect(self._tell_store)
 
     def remove(self) -> None:
@@ -70,9 +70,14 @@ class ReviewMap(QObject):
 
     def show_pair(self) -> None:
         """Show the store's epoch pair and datum, rejected units apart."""
+        pair, rejected = self.store.pair, sorted(self.store.rejected)
+        key = (pair, self.store.datum, tuple(rejected), len(self.store.rows))
+        if key == self._shown:
+            self.follow()
+            return
+        self._shown = key
         # a layer drops its selection with its filter; the store must not take that for the user's wish
         self._following = True
-        pair, rejected = self.store.pair, sorted(self.store.rejected)
         keep = f' AND "unit_id" NOT IN ({quoted(rejected)})' if rejected else ""
         epoch = f'"epoch" = {QgsExpression.quotedString(pair.epoch_from)}'
         # units that are new have their first point in the later epoch
@@ -89,7 +94,6 @@ class ReviewMap(QObject):
         for layer in (self.displacements, self.other):
             layer.setSubsetString(condition + keep)
         for layer in self.layers:
-            layer.dataProvider().reloadData()
             layer.triggerRepaint()
         request = QgsFeatureRequest().setFlags(Qgis.FeatureRequestFlag.NoGeometry).setSubsetOfAttributes(["unit_id"], self.units.fields())
         self._units = {feature.id(): str(feature["unit_id"]) for feature in self.units.getFeatures(request)}
@@ -98,6 +102,13 @@ class ReviewMap(QObject):
             self._fids.setdefault(unit, []).append(fid)
         self._following = False
         self.follow()
+
+    def reload(self) -> None:
+        """Read the layers again after a correction changed the file."""
+        for layer in self.layers:
+            layer.dataProvider().reloadData()
+        self._shown = None
+        self.show_pair()
 
     def follow(self) -> None:
         """Select on the map what the store has selected."""

@@ -9,6 +9,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +30,7 @@ FEATURE_COLOURS = {"centre": ("#000000", "#FFFFFF"), "f123": ("#0072B2", "#56B4E
 FEATURE_COLOURS |= {"f134": ("#009E73", "#2BCB9E"), "f234": ("#AA4499", "#DD88CC")}
 SLAB = 0.12
 """Half thickness of the slab of points drawn in the section, as a fraction of the leg length."""
-MOST_POINTS = 20_000
+MOST_POINTS = 6_000
 MARGIN = 6
 
 
@@ -60,13 +61,13 @@ class UnitScene:
     labels: tuple[str, str] = ("", "")
     note: str = ""
 
-    @property
+    @cached_property
     def middle(self) -> FloatArray | None:
         """Point the views are centred on."""
         centres = [shape.centre for shape in self.shapes if shape is not None]
         return np.mean(centres, axis=0) if centres else None
 
-    @property
+    @cached_property
     def half_size(self) -> float:
         """Metres from the middle to the edge of the views: both poses fit."""
         shapes = [shape for shape in self.shapes if shape is not None]
@@ -178,7 +179,8 @@ class UnitView(QWidget):
 
     def _to_screen(self, flat: FloatArray) -> QPolygonF:
         scale, origin = self._pixels_per_metre(), self._origin()
-        return QPolygonF([QPointF(origin.x() + scale * x, origin.y() - scale * y) for x, y in flat])
+        places = np.asarray(flat) * [scale, -scale] + [origin.x(), origin.y()]
+        return QPolygonF([QPointF(x, y) for x, y in places.tolist()])
 
     def _to_metres(self, place: QPointF) -> FloatArray:
         scale, origin = self._pixels_per_metre(), self._origin()

@@ -104,6 +104,7 @@ class ReviewStore:
         self.selected: tuple[str, ...] = ()
         self.reviews: dict[tuple[str, EpochPair], Review] = {}
         self._position: dict[str, int] = {}
+        self._statistics: Statistics | None = None
         self._observers: list[Callable[[Topic], None]] = []
         self._undoable: list[list[int]] = []
         self._details: dict[str, UnitDetails] = {}
@@ -286,6 +287,13 @@ class ReviewStore:
 
     def statistics(self) -> Statistics:
         """Counts of the pair without the rejected units."""
+        if self._statistics is None:
+            self._statistics = self._count()
+        return self._statistics
+
+    # inside
+
+    def _count(self) -> Statistics:
         rejected = self.rejected
         rows = [row for row in self.rows if row.unit_id not in rejected]
         lengths = [row.d_3d for row in rows if row.d_3d is not None]
@@ -299,8 +307,6 @@ class ReviewStore:
             float(np.median(lengths)) if lengths else None,
             max(lengths) if lengths else None,
         )
-
-    # inside
 
     def _chosen(self, unit_ids: Sequence[str] | None) -> list[str]:
         units = list(self.selected if unit_ids is None else unit_ids)
@@ -352,6 +358,8 @@ class ReviewStore:
         return [k for k, hit in zip(placed, inside, strict=True) if hit]
 
     def _tell(self, topic: Topic) -> None:
+        if topic in ("rows", "reviews"):
+            self._statistics = None
         for callback in tuple(self._observers):
             callback(topic)
 
