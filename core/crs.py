@@ -118,6 +118,7 @@ def tile_transform(tile_crs: CRS | None, survey_crs: str, corners: FloatArray, *
     problem = _unusable(tile_crs)
     if problem:
         raise CrsError(f"CRS {_name(tile_crs)} {problem}", source=source, remedy=f"Reproject the tile to {survey_crs} in metres.")
+    _check_declared_code(tile_crs, corners, source)
     target = parse_crs(survey_crs)
     flat_from, flat_to = _horizontal(tile_crs), _horizontal(target)
     up_from, up_to = _vertical(tile_crs), _vertical(target)
@@ -175,10 +176,7 @@ def _vertical(crs: CRS) -> CRS | None:
 
 
 def _equal(a: CRS, b: CRS) -> bool:
-    if a.equals(b, ignore_axis_order=True):
-        return True
-    code = a.to_epsg()
-    return code is not None and code == b.to_epsg()
+    return bool(a.equals(b, ignore_axis_order=True))
 
 
 def _transformer(a: CRS, b: CRS, source: str | Path) -> Callable[[FloatArray], FloatArray]:
@@ -215,6 +213,25 @@ def _no_transformation(a: CRS, b: CRS, source: str | Path) -> CrsError:
         source=source,
         remedy="Install the PROJ grids of the region (projsync), or reproject the tile beforehand.",
     )
+
+
+def _check_declared_code(crs: CRS, corners: FloatArray, source: str | Path) -> None:
+    """Refuse a definition whose parameters are not those of the EPSG code it carries: one of them is wrong, nobody knows which."""
+    flat = _horizontal(crs)
+    code = _code(flat)
+    if not code:
+        return
+    try:
+        stated = parse_crs(code)
+    except CrsError as error:
+        raise CrsError(f"declares {code}, which does not exist", source=source, remedy="Write the right CRS into its header.") from error
+    if not stated.is_projected or not (_equal(flat, stated) or _same_place(flat, stated, corners, source)):
+        raise CrsError(f"declares {code} with the parameters of another CRS", source=source, remedy="Write the right CRS into its header.")
+
+
+def _same_place(a: CRS, b: CRS, corners: FloatArray, source: str | Path) -> bool:
+    moved = _flat(_transformer(a, b, source))(corners)
+    return bool(np.isfinite(moved).all() and np.abs(moved - corners).max() < SAME_PLACE)
 
 
 def _code(crs: CRS) -> str:

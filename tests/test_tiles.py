@@ -107,6 +107,15 @@ def test_crs_that_cannot_be_used(tmp_path: Path, crs: str | None, survey: str, s
     assert caught.value.remedy
 
 
+def test_crs_that_contradicts_its_own_code(tmp_path: Path) -> None:
+    path = write_las(tmp_path / "a.las", grid_points(), CRS)
+    data = path.read_bytes()
+    assert data.count(b'"central_meridian",117') == 1
+    path.write_bytes(data.replace(b'"central_meridian",117', b'"central_meridian",107'))
+    with pytest.raises(CrsError, match="declares EPSG:32650 with the parameters of another CRS"):
+        inspect_tile(path, CRS)
+
+
 def test_tiles_crs_helps_tiles_without_one(tmp_path: Path) -> None:
     path = write_las(tmp_path / "a.laz", grid_points(), None)
     info = inspect_tile(path, CRS, tiles_crs=CRS)

@@ -12,15 +12,14 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import laspy
 import numpy as np
 import pytest
+from result_contents import contents
 from tetratrack.core.errors import Cancelled, InputError, OutputError
 from tetratrack.core.geopackage import from_upper_triangle
 from tetratrack.core.result_tables import read_layer_rows
-from tetratrack.core.schema import LAYERS
 from tetratrack.core.survey import Survey, read_survey
 from tetratrack.core.workflow import Feedback, RunOptions, run_fit, run_inspect, run_segment, run_survey
 from tetratrack.scripts.cli import app
@@ -37,30 +36,6 @@ def result(tiny: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("result") / "result.gpkg"
     run_survey(read_survey(tiny / "survey.toml"), path, RunOptions(workers=1), Feedback())
     return path
-
-
-def contents(path: Path, *, without_inputs: bool = False) -> dict[str, list[dict[str, Any]]]:
-    """All rows of a result as comparable values."""
-    layers = {}
-    for name in LAYERS:
-        if name not in (
-            "units",
-            "feature_points",
-            "displacements",
-            "displacements_other",
-            "control_residuals",
-            "check_residuals",
-            "epochs",
-        ):
-            continue
-        rows = read_layer_rows(path, name)
-        for row in rows:
-            row["geom"] = None if row.get("geom") is None else np.asarray(row["geom"]).tolist()
-            if without_inputs and name == "epochs":
-                row["tiles"] = None
-                row["settings"] = json.loads(row["settings"]) | {"inputs": None}
-        layers[name] = rows
-    return layers
 
 
 def retiled(tiny: Path, folder: Path, split: Callable[[np.ndarray, np.ndarray], np.ndarray], order: int = 1) -> Survey:
