@@ -60,25 +60,38 @@ def _pose(matrix: FloatArray) -> Pose:
 
 
 def point_pair_features(cloud: EpochCloud, unit: UnitType, wanted: int) -> list[Pose]:
-    """Poses by ``cv2.ppf_match_3d`` in order of votes, refined by ICP, no two centres within 0.4 H, as many as there are units."""
+    """Poses by ``cv2.ppf_match_3d``: the best by votes are refined by ICP, then the best of those by fitness, no two centres within 0.4 H.
+
+    It is told how many units there are.
+    """
     from cv2 import ppf_match_3d
 
     model = model_cloud(unit)
     scene = with_normals(cloud.points, VOXEL * unit.height)
-    detector = ppf_match_3d.PPF3DDetector(0.06, 0.06, 30)
+    detector = ppf_match_3d.PPF3DDetector(0.04, 0.04, 30)
     detector.trainModel(np.hstack([model.points, model.normals]).astype(np.float32))
-    found = detector.match(np.hstack([scene.points, scene.normals]).astype(np.float32), 1.0 / 8.0, 0.05)
-    poses: list[Pose] = []
+    found = detector.match(np.hstack([scene.points, scene.normals]).astype(np.float32), 1.0 / 5.0, 0.03)
     thin = model.voxel_down_sample(0.04 * unit.height)
-    for candidate in sorted(found, key=lambda p: -p.numVotes):
-        if len(poses) == wanted:
+    starts = [np.array(c.pose, dtype=np.float64) for c in sorted(found, key=lambda p: -p.numVotes)]
+    best = apart([(_pose(start), 0.0) for start in starts], 0.2 * unit.height, 6 * wanted)
+    fitted = []
+    for pose in best:
+        start = np.eye(4)
+        start[:3, :3], start[:3, 3] = pose.rotation, pose.centre
+        matrix, fitness = refined(thin, scene, start, 0.06 * unit.height)
+        fitted.append((_pose(matrix), fitness))
+    return apart(sorted(fitted, key=lambda f: -f[1]), 0.4 * unit.height, wanted)
+
+
+def apart(candidates: list[tuple[Pose, float]], distance: float, wanted: int) -> list[Pose]:
+    """The first poses of a ranked list with no two centres nearer than a distance."""
+    chosen: list[Pose] = []
+    for pose, _ in candidates:
+        if len(chosen) == wanted:
             break
-        start = np.array(candidate.pose, dtype=np.float64)
-        if any(np.linalg.norm(start[:3, 3] - p.centre) < 0.4 * unit.height for p in poses):
-            continue
-        matrix, _ = refined(thin, scene, start, 0.06 * unit.height)
-        poses.append(_pose(matrix))
-    return poses
+        if all(np.linalg.norm(pose.centre - other.centre) >= distance for other in chosen):
+            chosen.append(pose)
+    return chosen
 
 
 def fpfh_ransac(target: Any, model: Any, voxel: float) -> tuple[FloatArray, float]:

@@ -26,7 +26,7 @@ PLANS = {
     "uav": SimulationPlan(
         "small", "uav", 4, 2.3, seed=3, density=250, changes=Changes(moved=1), tiles=(2, 1), origin=(512000.0, 5_712_000.0, 0.0)
     ),
-    "tls": SimulationPlan("small", "tls", 3, 2.0, seed=4, density=300, epochs=1, tiles=(1, 1)),
+    "tls": SimulationPlan("small", "tls", 3, 2.0, seed=4, density=150, epochs=1, tiles=(1, 1)),
     "photogrammetry": SimulationPlan("small", "photogrammetry", 3, 2.0, seed=5, density=250, epochs=1, tiles=(1, 1)),
     "depth_camera": SimulationPlan(
         "small", "depth_camera", 3, 0.105, seed=6, density=60_000, crs="LOCAL", origin=(1.0, 1.8, 0.75), tiles=(1, 1)
