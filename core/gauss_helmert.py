@@ -749,20 +749,22 @@ class _Solver:
         """Come near from an approximate pose; returns the scale of the residuals.
 
         A wide window for the robust weights finds the way from afar, a narrow one does not follow other surfaces nearby. Narrower
-        ones are tried only if the residuals do not look like noise, and the pose that brings most points close is kept.
+        ones are tried only if the residuals do not look like noise, and the best pose is kept.
         """
         start = self.state()
         best: tuple[float, float, tuple[FloatArray, ...]] = (math.inf, math.inf, start)
         for window in (1.0, 0.4, 0.15) if self.options.robust else (1.0,):
             self.restore(start)
             scale = self.approach_through(window)
-            closeness = self.quantile_scale(0.6)
-            if closeness < best[0]:
-                best = closeness, scale, self.state()
+            # most points close, and those that belong very close
+            misfit = self.quantile_scale(0.6) + scale
+            if misfit < best[0]:
+                best = misfit, scale, self.state()
             if self.looks_like_noise(scale):
                 break
         self.restore(best[2])
-        return best[1]
+        # from below: bad points just outside the window must not find it open
+        return max(0.85 * best[1], self.options.sigma or self.floor)
 
     def approach_through(self, window: float) -> float:
         """One approach: pose alone until it settles, then all parameters with the window narrowed below the noise and widened again.
@@ -797,7 +799,7 @@ class _Solver:
             if abs(tight - previous) < 0.1 * tight:
                 break
         self.linearise(tight, redescend=True)
-        if self.quantile_scale(0.6) < closeness:
+        if self.quantile_scale(0.6) + tight < closeness + scale:
             return tight
         self.restore(wide)
         self.linearise(scale, redescend=True)
