@@ -111,7 +111,9 @@ def calibrate(
             where="[unit], key calibrate",
             remedy="set calibrate = false and give radius and gradient, or use a cloud in which some units show two legs or more",
         )
-    mean, covariance, between = _combine(shapes[used], covariances[used])
+    _, covariance, between = _combine(shapes[used], covariances[used])
+    # the median to begin with: one strange unit must not put the mean where all others look strange
+    mean = np.median(shapes[used], axis=0)
     limit = chi2.ppf(REJECTION, 2)
     for _ in range(10):
         offsets = shapes - mean
@@ -120,10 +122,13 @@ def calibrate(
         distances = np.array([offsets[k] @ np.linalg.solve(spread[k], offsets[k]) for k in candidates])
         kept = np.zeros(len(points), dtype=np.bool_)
         kept[candidates[distances < limit]] = True
-        if (kept == used).all() or not kept.any():
+        if not kept.any():
             break
+        settled = bool((kept == used).all())
         used = kept
         mean, covariance, between = _combine(shapes[used], covariances[used])
+        if settled:
+            break
     return Calibration(unit.with_shape(*mean), covariance, between, used, shapes)
 
 

@@ -1,0 +1,94 @@
+"""Calibration of the shape shared by a survey, and the printed model of the paper."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+from tetratrack.core.calibration import calibrate
+from tetratrack.core.errors import InputError
+from tetratrack.core.feature_points import body_features
+from tetratrack.core.gauss_helmert import AdjustmentOptions
+from tetratrack.core.literal_model import fit_literal, literal_axes, literal_start
+from tetratrack.core.pose import Pose
+from tetratrack.core.tetrapod import sample_surface
+from tetratrack.core.unit_types import UnitType
+
+NOMINAL = UnitType.tetrapod(2.92)
+MOULD = NOMINAL.with_shape(0.776, 0.203)
+
+
+def units(count: int, rng: np.random.Generator, *, legs: int = 3, spread: float = 0.0) -> tuple[list[np.ndarray], list[Pose]]:
+    """Clouds of one mould's units seen from one side, and rough poses."""
+    clouds, poses = [], []
+    for _ in range(count):
+        pose = Pose(rng.normal(size=3), Rotation.random(random_state=rng).as_matrix())
+        own = MOULD.with_shape(MOULD.radius * (1 + rng.normal(0, spread)), MOULD.gradient)
+        body, _, leg = sample_surface(own, 1500, rng, end_discs=False)
+        seen = leg < legs
+        clouds.append(pose.to_frame(body[seen] + rng.normal(0, 0.006, (seen.sum(), 3))))
+        poses.append(pose.perturbed(rng.normal(0, 0.04, 3), rng.normal(0, 0.02, 3)))
+    return clouds, poses
+
+
+def test_shape_is_recovered_with_its_deviation() -> None:
+    rng = np.random.default_rng(1)
+    clouds, poses = units(12, rng)
+    result = calibrate(clouds, NOMINAL, poses, options=AdjustmentOptions.ideal())
+    assert result.used.sum() >= 11
+    assert abs(result.unit.radius - 0.776) < 4 * result.sd[0] < 0.004
+    assert abs(result.unit.gradient - 0.203) < 4 * result.sd[1] < 0.004
+    assert result.unit.leg_length == NOMINAL.leg_length
+
+
+def test_scatter_between_units_is_found() -> None:
+    rng = np.random.default_rng(2)
+    clouds, poses = units(16, rng, spread=0.01)
+    result = calibrate(clouds, NOMINAL, poses, options=AdjustmentOptions.ideal())
+    assert 0.3 < result.between[0] / (0.01 * 0.776) < 2.0
+
+
+def test_a_strange_unit_is_left_out() -> None:
+    rng = np.random.default_rng(3)
+    clouds, poses = units(10, rng)
+    clouds[4] = (clouds[4] - clouds[4].mean(0)) * 1.08 + clouds[4].mean(0)
+    result = calibrate(clouds, NOMINAL, poses, options=AdjustmentOptions.ideal())
+    assert not result.used[4]
+    assert abs(result.unit.radius - 0.776) < 0.004
+
+
+def test_single_legs_cannot_calibrate() -> None:
+    clouds, poses = units(3, np.random.default_rng(4), legs=1)
+    with pytest.raises(InputError, match="calibrate = false"):
+        calibrate(clouds, NOMINAL, poses, options=AdjustmentOptions.ideal())
+
+
+def test_printed_rotations_stand_at_120_degrees_and_bend_when_tilted() -> None:
+    upright = literal_axes(0.0, 0.4)
+    angles = np.degrees(np.arccos(np.clip(upright @ upright.T, -1, 1)))
+    assert angles[0, 1:] == pytest.approx(np.full(3, 120.0))
+    assert angles[1, 2] == pytest.approx(97.18, abs=0.01)
+    tilted = literal_axes(math.radians(10), 0.0)
+    spread = np.degrees(np.arccos(np.clip(tilted @ tilted.T, -1, 1)))
+    assert np.ptp(spread[0, 1:]) > 10
+
+
+def test_printed_model_is_fitted_with_its_angles() -> None:
+    rng = np.random.default_rng(5)
+    unit = UnitType.tetrapod(2.3, opening="paper")
+    # upright, the printed model is the rigid 120-degree solid
+    pose = Pose(np.array([1.0, 2.0, 3.0]), Rotation.from_euler("z", 25, degrees=True).as_matrix())
+    body, _, leg = sample_surface(unit, 3000, rng, end_discs=False)
+    points = pose.to_frame(body) + rng.normal(0, 0.01, body.shape)
+    omega, psi = literal_start(pose)
+    axes = literal_axes(omega, psi)
+    order = np.argmax((unit.leg_directions @ pose.rotation.T) @ axes.T, axis=1)
+    assert sorted(order) == [0, 1, 2, 3]
+    fit = fit_literal(points, unit, pose.centre + np.array([0.03, -0.02, 0.02]), omega + 0.03, psi + 0.03, legs=order[leg])
+    assert fit.converged
+    found = np.array([*fit.centre - pose.centre, fit.omega - omega, fit.psi - psi, fit.radius - unit.radius, fit.gradient - unit.gradient])
+    assert (np.abs(found) < 4 * np.sqrt(np.diag(fit.covariance))).all()
+    assert fit.noise == pytest.approx(0.01, rel=0.05)
+    assert body_features(unit).shape == (5, 3)

@@ -1,0 +1,300 @@
+"""The adjustment: exact on exact points, at the bound on noisy ones, honest where points say little, unmoved by bad ones."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+from scipy.stats import binom, chi2
+from tetratrack.core.errors import InputError
+from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, adjust, beam_covariances
+from tetratrack.core.pose import Pose, rotation_angle
+from tetratrack.core.tetrapod import END_DISC, relate, sample_surface
+from tetratrack.core.unit_types import UnitType
+
+UNIT = UnitType.tetrapod(2.3)
+IDEAL = AdjustmentOptions.ideal()
+HELD = AdjustmentOptions.ideal(radius_sd=0.0, gradient_sd=0.0)
+FloatArray = np.ndarray
+
+
+def random_pose(rng: np.random.Generator) -> Pose:
+    return Pose(rng.normal(size=3) * 5, Rotation.random(random_state=rng).as_matrix())
+
+
+def cloud(rng: np.random.Generator, count: int, sigma: float, unit: UnitType = UNIT) -> tuple[Pose, FloatArray, FloatArray]:
+    """Pose, noisy points of the lateral surfaces, legs."""
+    pose = random_pose(rng)
+    body, _, legs = sample_surface(unit, count, rng, end_discs=False)
+    return pose, pose.to_frame(body) + rng.normal(0, sigma, body.shape), legs
+
+
+def error(result: Adjustment, pose: Pose, unit: UnitType = UNIT) -> FloatArray:
+    turn = Rotation.from_matrix(result.pose.rotation @ pose.rotation.T).as_rotvec()
+    return np.concatenate([result.pose.centre - pose.centre, turn, [result.radius - unit.radius, result.gradient - unit.gradient]])
+
+
+def distance(result: Adjustment, pose: Pose) -> tuple[float, int]:
+    """Mahalanobis distance of the true parameters, and its degrees of freedom."""
+    free = np.diag(result.covariance) > 0
+    e = error(result, pose)[free]
+    return float(e @ np.linalg.solve(result.covariance[np.ix_(free, free)], e)), int(free.sum())
+
+
+@settings(max_examples=15, deadline=None)
+@given(seed=st.integers(0, 10**6), opening=st.sampled_from(["tetrahedral", "paper"]))
+def test_exact_points_give_the_exact_pose(seed: int, opening: str) -> None:
+    unit = UnitType.tetrapod(2.3, opening=opening)
+    rng = np.random.default_rng(seed)
+    pose, points, _ = cloud(rng, 400, 0.0, unit)
+    start = pose.perturbed(rng.normal(0, 0.05, 3), rng.normal(0, 0.03, 3))
+    result = adjust(points, unit, start, options=IDEAL)
+    assert np.abs(error(result, pose, unit)).max() < 1e-6
+
+
+def test_result_does_not_depend_on_the_frame() -> None:
+    rng = np.random.default_rng(4)
+    pose, points, _ = cloud(rng, 1200, 0.01)
+    start = pose.perturbed([0.05, 0, 0.02], [0.02, 0.01, 0])
+    turn = Rotation.random(random_state=5).as_matrix()
+    shift = np.array([100.0, -200.0, 30.0])
+    here = adjust(points, UNIT, start, options=IDEAL)
+    there = adjust(points @ turn.T + shift, UNIT, Pose(turn @ start.centre + shift, turn @ start.rotation), options=IDEAL)
+    assert there.pose.centre == pytest.approx(turn @ here.pose.centre + shift, abs=1e-6)
+    assert rotation_angle(turn @ here.pose.rotation, there.pose.rotation) < 1e-6
+    assert np.trace(there.covariance[:3, :3]) == pytest.approx(np.trace(here.covariance[:3, :3]), rel=1e-3)
+
+
+@pytest.mark.parametrize("symmetry", range(12))
+def test_start_with_other_leg_numbers_gives_the_same_solid(symmetry: int) -> None:
+    rng = np.random.default_rng(6)
+    pose, points, _ = cloud(rng, 800, 0.01)
+    start = pose.perturbed([0.03, 0.02, 0], [0.02, 0, 0.02])
+    turn = UNIT.symmetries[symmetry]
+    result = adjust(points, UNIT, start.relabelled(turn), options=IDEAL)
+    straight = adjust(points, UNIT, start, options=IDEAL)
+    assert result.pose.centre == pytest.approx(straight.pose.centre, abs=1e-4)
+    assert rotation_angle(straight.pose.relabelled(turn).rotation, result.pose.rotation) < 1e-4
+
+
+@pytest.mark.parametrize("known", [True, False])
+def test_covariance_covers_and_noise_is_found(known: bool) -> None:
+    rng = np.random.default_rng(7)
+    inside, noises, fits = 0, [], 120
+    for _ in range(fits):
+        pose, points, legs = cloud(rng, 800, 0.02)
+        result = adjust(points, UNIT, pose.perturbed([0.05, 0.03, -0.04], [0.03, 0, 0.02]), options=IDEAL, legs=legs if known else None)
+        assert result.converged
+        far, freedom = distance(result, pose)
+        inside += far < chi2.ppf(0.95, freedom)
+        noises.append(result.noise)
+    assert binom.ppf(0.001, fits, 0.95) <= inside <= binom.ppf(0.999, fits, 0.97)
+    assert np.mean(noises) == pytest.approx(0.02, rel=0.03)
+
+
+def test_radius_has_no_second_order_bias() -> None:
+    """Radius 1 m, uniform noise of 20 cm: plain least squares is 6.7 mm too large, the paper's 6 mm."""
+    unit = UnitType.tetrapod(3.782)
+    rng = np.random.default_rng(8)
+    corrected, plain = [], []
+    for _ in range(80):
+        pose = random_pose(rng)
+        body, _, legs = sample_surface(unit, 2000, rng, end_discs=False)
+        points = pose.to_frame(body + rng.uniform(-0.2, 0.2, body.shape))
+        for options, radii in ((IDEAL, corrected), (AdjustmentOptions.ideal(bias_correction=False), plain)):
+            radii.append(adjust(points, unit, pose, options=options, legs=legs).radius - unit.radius)
+    se = np.std(corrected) / math.sqrt(len(corrected))
+    assert abs(np.mean(corrected)) < 1e-3 + 2 * se
+    assert np.mean(plain) - np.mean(corrected) == pytest.approx(0.2**2 / 3 / (2 * 0.97), rel=0.2)
+
+
+def test_priors_and_fixed_shape() -> None:
+    rng = np.random.default_rng(9)
+    pose, points, _ = cloud(rng, 800, 0.02)
+    held = adjust(points, UNIT, pose, options=HELD)
+    assert held.radius == UNIT.radius
+    assert held.gradient == UNIT.gradient
+    assert not held.covariance[6:].any()
+    loose = adjust(points, UNIT, pose, options=AdjustmentOptions.ideal(radius_sd=10.0, gradient_sd=10.0))
+    free = adjust(points, UNIT, pose, options=IDEAL)
+    tight = adjust(points, UNIT, pose, options=AdjustmentOptions.ideal(radius_sd=1e-5, gradient_sd=1e-5))
+    assert loose.radius == pytest.approx(free.radius, abs=1e-6)
+    assert tight.radius == pytest.approx(UNIT.radius, abs=2e-5)
+    assert math.sqrt(tight.covariance[6, 6]) == pytest.approx(1e-5, rel=0.05)
+
+
+def test_one_leg_states_that_its_twist_is_unknown() -> None:
+    rng = np.random.default_rng(10)
+    pose, points, legs = cloud(rng, 3000, 0.01)
+    result = adjust(points[legs == 2], UNIT, pose.perturbed([0.02, 0, 0], [0.01, 0.02, 0]), options=HELD)
+    assert result.legs_visible == 1
+    assert any("twist" in flag for flag in result.flags)
+    assert len(result.undetermined) == 1
+    axis = pose.rotation @ UNIT.leg_directions[2]
+    assert abs(result.undetermined[0, 3:6] @ axis) == pytest.approx(1, abs=1e-3)
+    assert math.sqrt(axis @ result.covariance[3:6, 3:6] @ axis) > 1.5
+    # what the leg does determine stays sharp
+    across = np.cross(axis, [0.3, 0.5, 0.8])
+    across /= np.linalg.norm(across)
+    assert math.sqrt(across @ result.covariance[:3, :3] @ across) < 0.01
+
+
+def test_two_legs_converge_from_afar() -> None:
+    rng = np.random.default_rng(11)
+    distances = []
+    for _ in range(40):
+        pose, points, legs = cloud(rng, 2000, 0.02)
+        seen = np.isin(legs, rng.permutation(4)[:2])
+        shift, turn = rng.normal(size=3), rng.normal(size=3)
+        start = pose.perturbed(0.15 * 2.3 * shift / np.linalg.norm(shift), math.radians(15) * turn / np.linalg.norm(turn))
+        result = adjust(points[seen], UNIT, start, options=HELD)
+        assert np.linalg.norm(result.pose.centre - pose.centre) < 0.03
+        assert "two legs" in result.flags
+        distances.append(distance(result, pose)[0])
+    assert np.mean(distances) / 6 < 1.4
+
+
+@pytest.mark.parametrize("kind", ["growth", "neighbour", "anywhere"])
+def test_thirty_percent_of_bad_points_do_little(kind: str) -> None:
+    rng = np.random.default_rng(12)
+    ratios = []
+    for _ in range(25):
+        pose, points, _ = cloud(rng, 1400, 0.02)
+        if kind == "growth":
+            near = np.argsort(np.linalg.norm(points - points[0], axis=1))[:600]
+            normal = relate(pose.to_body(points[near]), UNIT).normal @ pose.rotation.T
+            bad = points[near] + normal * rng.uniform(0.1, 0.2, (600, 1))
+        elif kind == "neighbour":
+            other = Pose(
+                pose.centre + 1.05 * 2.3 * (pose.rotation @ -UNIT.leg_directions[1]), Rotation.random(random_state=rng).as_matrix()
+            )
+            surface = other.to_frame(sample_surface(UNIT, 4000, rng)[0])
+            surface = surface[relate(pose.to_body(surface), UNIT).distance > 0]
+            bad = surface[np.argsort(np.linalg.norm(surface - pose.centre, axis=1))[:600]]
+        else:
+            bad = pose.centre + rng.uniform(-1.3, 1.3, (600, 3))
+        start = pose.perturbed([0.06, -0.05, 0.05], [0.03, 0.02, -0.03])
+        dirty = adjust(np.vstack([points, bad]), UNIT, start, options=IDEAL)
+        clean = adjust(points, UNIT, start, options=IDEAL)
+        ratios.append(np.sum((dirty.pose.centre - pose.centre) ** 2) / np.trace(clean.covariance[:3, :3]))
+        assert dirty.weights[1400:].mean() < 0.25
+    assert math.sqrt(np.mean(ratios)) < 1.6
+
+
+def test_correlated_residuals_widen_the_covariance() -> None:
+    rng = np.random.default_rng(13)
+    far, counts = [], []
+    for _ in range(60):
+        pose = random_pose(rng)
+        body, normals, _ = sample_surface(UNIT, 1500, rng, end_discs=False)
+        waves = rng.normal(size=(300, 3)) / 0.10
+        rough = 0.005 * math.sqrt(2 / 300) * np.cos(body @ waves.T + rng.uniform(0, 2 * math.pi, 300)).sum(axis=1)
+        points = pose.to_frame(body + normals * rough[:, None] + rng.normal(0, 0.004, body.shape))
+        result = adjust(points, UNIT, pose, options=IDEAL)
+        counts.append(result.n_effective / result.weights.sum())
+        value, freedom = distance(result, pose)
+        far.append(value / freedom)
+    assert 0.1 < np.mean(counts) < 0.5
+    assert np.mean(far) < 1.35
+
+
+def test_white_noise_keeps_its_number_of_observations() -> None:
+    rng = np.random.default_rng(14)
+    shares = []
+    for _ in range(20):
+        pose, points, _ = cloud(rng, 1500, 0.02)
+        result = adjust(points, UNIT, pose, options=IDEAL)
+        shares.append(result.n_effective / result.weights.sum())
+    assert np.mean(shares) > 0.9
+
+
+def test_end_discs_are_used_where_they_are_planes_and_sharpen_the_pose() -> None:
+    rng = np.random.default_rng(15)
+    pose = random_pose(rng)
+    body, normals, _ = sample_surface(UNIT, 8000, rng)
+    # one leg from its end, and a part of the surface around it
+    seen = normals @ UNIT.leg_directions[0] > 0.05
+    points = pose.to_frame(body[seen] + rng.normal(0, 0.005, (seen.sum(), 3)))
+    start = pose.perturbed([0.03, 0.02, 0.01], [0.01, 0.02, 0.0])
+    with_discs = adjust(points, UNIT, start, options=AdjustmentOptions(radius_sd=0, gradient_sd=0, edge=0.0))
+    without = adjust(points, UNIT, start, options=AdjustmentOptions(radius_sd=0, gradient_sd=0, edge=0.0, end_discs=False))
+    assert (with_discs.parts[with_discs.legs >= 0] == END_DISC).sum() > 100
+    assert not (without.parts[without.legs >= 0] == END_DISC).any()
+    assert np.trace(with_discs.covariance[:3, :3]) < np.trace(without.covariance[:3, :3])
+    assert distance(with_discs, pose)[0] < chi2.ppf(0.999, 6)
+
+
+def test_rounded_tips_are_not_taken_for_discs() -> None:
+    rng = np.random.default_rng(16)
+    pose = random_pose(rng)
+    body, _, leg = sample_surface(UNIT, 6000, rng)
+    axis = UNIT.leg_directions[leg]
+    axial = np.sum(body * axis, axis=1)
+    across = body - axial[:, None] * axis
+    rho = np.linalg.norm(across, axis=1)
+    # a cap that starts at 0.87 of the leg and reaches its length on the axis
+    tip = 0.87 * UNIT.leg_length
+    top = UNIT.radius - UNIT.gradient * tip
+    cap = tip + 0.13 * UNIT.leg_length * np.sqrt(np.maximum(1 - (rho / top) ** 2, 0))
+    axial = np.where(axial > tip, np.minimum(axial, cap), axial)
+    points = pose.to_frame(across + axial[:, None] * axis + rng.normal(0, 0.005, body.shape))
+    result = adjust(points, UNIT, pose.perturbed([0.02, 0, 0.02], [0.01, 0, 0.01]), options=AdjustmentOptions(radius_sd=0, gradient_sd=0))
+    assert not (result.parts[result.legs >= 0] == END_DISC).any()
+    assert np.linalg.norm(result.pose.centre - pose.centre) < 0.002
+
+
+def test_beam_covariances_weight_points_by_their_incidence() -> None:
+    rng = np.random.default_rng(17)
+    gain, far = [], []
+    for _ in range(40):
+        pose = random_pose(rng)
+        sensor = pose.centre + np.array([12.0, -3.0, 8.0])
+        body, _, _ = sample_surface(UNIT, 1000, rng, end_discs=False)
+        exact = pose.to_frame(body)
+        covariances = beam_covariances(exact, sensor, 0.03, 0.0003)
+        noise = np.einsum("nij,nj->ni", np.linalg.cholesky(covariances), rng.normal(size=exact.shape))
+        points = exact + noise
+        aware = adjust(points, UNIT, pose, options=HELD, covariances=beam_covariances(points, sensor, 0.03, 0.0003))
+        blind = adjust(points, UNIT, pose, options=HELD)
+        assert aware.sigma0 == pytest.approx(1, abs=0.15)
+        gain.append(np.sum(error(aware, pose)[:3] ** 2) / np.sum(error(blind, pose)[:3] ** 2))
+        far.append(distance(aware, pose)[0] / 6)
+    assert np.exp(np.mean(np.log(gain))) < 0.8
+    assert np.mean(far) < 1.4
+
+
+def test_beam_covariances_have_their_axes() -> None:
+    covariance = beam_covariances([[0.0, 0, 10.0]], [0.0, 0, 0], 0.02, 0.001)[0]
+    assert covariance == pytest.approx(np.diag([1e-4, 1e-4, 4e-4]))
+    with pytest.raises(ValueError, match="coincides"):
+        beam_covariances([[1.0, 1, 1]], [1.0, 1, 1], 0.02, 0.001)
+
+
+def test_redundancy_and_detectable_bias() -> None:
+    rng = np.random.default_rng(18)
+    pose, points, legs = cloud(rng, 300, 0.02)
+    result = adjust(points, UNIT, pose, options=AdjustmentOptions.ideal(robust=False), legs=legs)
+    assert result.redundancy == pytest.approx(300 - 8, abs=1.5)
+    assert result.redundancy_numbers.sum() == pytest.approx(300 - 8, abs=1.5)
+    assert (result.minimal_detectable_bias > 4.13 * result.noise * 0.99).all()
+    assert np.isnan(adjust(points, UNIT, pose, options=IDEAL, legs=np.where(legs == 0, -1, legs)).residuals[legs == 0]).all()
+
+
+def test_unusable_input_is_refused() -> None:
+    points = np.zeros((5, 3))
+    pose = Pose(np.zeros(3), np.eye(3))
+    with pytest.raises(InputError, match="too few"):
+        adjust(points, UNIT, pose)
+    with pytest.raises(InputError, match="not finite"):
+        adjust(np.full((20, 3), np.nan), UNIT, pose)
+    with pytest.raises(InputError, match="too few points lie near"):
+        adjust(np.random.default_rng(0).normal(size=(500, 3)) + 1000.0, UNIT, pose)
+    with pytest.raises(ValueError, match="legs must be"):
+        adjust(np.ones((20, 3)), UNIT, pose, legs=np.full(20, 4))
+    for wrong in ({"tip": 0.0}, {"sigma": -1.0}, {"radius_sd": -1.0}, {"edge": -0.1}, {"leg_length_sd": 0.0}):
+        with pytest.raises(ValueError, match=r"must|share"):
+            AdjustmentOptions(**wrong)
