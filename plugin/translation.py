@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.PyQt.QtCore import QCoreApplication, QLocale, QSettings, QTranslator
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
 CONTEXT = "tetratrack"
 LANGUAGES = ("ja", "ko", "zh-Hans", "fr", "pt", "es")
@@ -30,11 +31,8 @@ def language_of(locale: str) -> str | None:
 
 
 def user_locale() -> str:
-    """Locale QGIS was started with: the user's override, or the system's."""
-    settings = QSettings()
-    if settings.value("locale/overrideFlag", False, type=bool):
-        return str(settings.value("locale/userLocale", "") or "en")
-    return QLocale.system().name()
+    """Locale QGIS was started with: command line, the user's setting, or the system's."""
+    return QgsApplication.instance().translation() or QgsApplication.locale()
 
 
 def load_translator(folder: Path, locale: str) -> QTranslator | None:
