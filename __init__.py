@@ -3,7 +3,7 @@
 from typing import Any
 
 
-def classFactory(iface: Any) -> Any:  # noqa: N802 - the name QGIS looks for
+def classFactory(iface: Any) -> Any:  # the name QGIS looks for
     """Return the plugin object; QGIS calls this when it loads the plugin."""
     from .plugin.tetratrack_plugin import TetratrackPlugin
 

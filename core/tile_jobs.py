@@ -279,7 +279,7 @@ class JobRunner:
             # pure=False: a key is the job's own name, so that a rerun after a failure is not served a remembered error
             futures = [client.submit(_run_and_save, *task, pure=False, retries=ATTEMPTS - 1) for task in tasks]
             try:
-                for future in as_completed(futures):  # type: ignore[no-untyped-call]
+                for future in as_completed(futures, loop=client.loop):  # type: ignore[no-untyped-call]
                     if self.is_cancelled():
                         raise Cancelled("cancelled")
                     future.result()
