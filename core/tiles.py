@@ -314,7 +314,8 @@ def _copc_chunks(path: Path, window: Window) -> Iterator[Any]:
     from laspy.copc import Bounds
 
     try:
-        with laspy.CopcReader.open(str(path)) as reader:
+        with path.open("rb") as stream:
+            reader = laspy.CopcReader(stream)
             low, high = reader.header.mins, reader.header.maxs
             bounds = Bounds(
                 mins=np.array([max(window.west, low[0]), max(window.south, low[1])]),

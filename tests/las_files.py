@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from pathlib import Path
 
 import laspy
@@ -48,4 +49,31 @@ def write_las(
     if time is not None:
         las.gps_time = time
     las.write(str(path))
+    return path
+
+
+def write_copc(path: Path, points: np.ndarray, crs: str = "EPSG:32650") -> Path:
+    """Write points as a cloud-optimised point cloud of one node (COPC 1.0: info VLR first, hierarchy in an EVLR)."""
+    from laspy.vlrs.vlr import VLR
+
+    header = laspy.LasHeader(version="1.4", point_format=6)
+    header.scales, header.offsets = np.full(3, 0.001), np.floor(points.min(axis=0))
+    header.vlrs.append(VLR("copc", 1, "", bytes(160)))
+    header.global_encoding.wkt = True
+    header.vlrs.append(WktCoordinateSystemVlr(CRS.from_user_input(crs).to_wkt("WKT1_GDAL")))
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = points.T
+    las.write(str(path), do_compress=True)
+    data = bytearray(path.read_bytes())
+    (start,) = struct.unpack_from("<I", data, 96)
+    (table,) = struct.unpack_from("<q", data, start)
+    hierarchy = struct.pack("<4iQii", 0, 0, 0, 0, start + 8, table - start - 8, len(points))
+    evlr = len(data)
+    data += struct.pack("<H16sHQ32s", 0, b"copc", 1000, len(hierarchy), b"") + hierarchy
+    struct.pack_into("<QI", data, 235, evlr, 1)
+    low, high = points.min(axis=0), points.max(axis=0)
+    half = float((high - low).max()) / 2
+    info = struct.pack("<5dQQ2d", *((low + high) / 2), half, half / 16, evlr + 60, len(hierarchy), 0.0, 0.0)
+    data[375 + 54 : 375 + 54 + len(info)] = info
+    path.write_bytes(data)
     return path

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from las_files import ORIGIN, grid_points, write_las
+from las_files import ORIGIN, grid_points, write_copc, write_las
+
 from tetratrack.core import tiles as tiles_module
 from tetratrack.core.errors import Cancelled, CrsError, InputError
 from tetratrack.core.tiles import Window, checksum, inspect_tile, read_points
@@ -61,6 +62,23 @@ def test_result_does_not_depend_on_tiling_order_or_repetition(tmp_path: Path) ->
         for name in ("xyz", "source_id", "gps_time"):
             assert np.array_equal(getattr(one, name), getattr(many, name))
     assert window.contains(one.xyz + ORIGIN).all()
+
+
+def test_copc_is_read_by_window(tmp_path: Path) -> None:
+    path = write_copc(tmp_path / "a.copc.laz", grid_points())
+    info = inspect_tile(path, CRS)
+    assert info.copc
+    assert len(read_points([info], CRS)) == 400
+    window = Window(*(ORIGIN[:2] + 1), *(ORIGIN[:2] + 2))
+    plain = inspect_tile(write_las(tmp_path / "b.laz", grid_points(), CRS), CRS)
+    found, expected = (read_points([tile], CRS, window=window, origin=ORIGIN) for tile in (info, plain))
+    assert 0 < len(found) < 100
+    assert np.array_equal(found.xyz, expected.xyz)
+    data = bytearray(path.read_bytes())
+    data[375 + 54 + 40 : 375 + 54 + 48] = b"\xff" * 8
+    path.write_bytes(data)
+    with pytest.raises(InputError, match="copc"):
+        read_points([info], CRS, window=window, origin=ORIGIN)
 
 
 def test_chunks_bound_memory_and_can_be_cancelled(tile: Path, monkeypatch: pytest.MonkeyPatch) -> None:
