@@ -6,12 +6,11 @@ from pathlib import Path
 
 import pytest
 from las_files import grid_points, write_las
-from typer.testing import CliRunner
-
 from tetratrack.core.result_tables import read_layer_rows
 from tetratrack.core.workflow import Feedback
 from tetratrack.scripts import batch
 from tetratrack.scripts.cli import app
+from typer.testing import CliRunner
 
 HEAD = '[survey]\nname = "s"\ncrs = "EPSG:32650"\n[unit]\ntype = "tetrapod"\nheight = 2.3\n'
 EPOCH = '[[epoch]]\nlabel = "{label}"\ntime = {label}-03-14T02:30:00Z\ntiles = "{label}/*.laz"\n'

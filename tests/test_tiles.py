@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from las_files import ORIGIN, grid_points, write_copc, write_las
-
 from tetratrack.core import tiles as tiles_module
 from tetratrack.core.errors import Cancelled, CrsError, InputError
 from tetratrack.core.tiles import Window, checksum, inspect_tile, read_points
