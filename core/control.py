@@ -33,6 +33,12 @@ METRES_PER: dict[LengthUnit, float] = {"m": 1.0, "ft": 0.3048, "us-ft": 1200 / 3
 SNOOPING_LEVEL = 0.01
 """Probability of excluding any good target of an epoch."""
 MIN_TARGETS = 3
+AXES_TOLERANCE = 30.0
+"""Misfit of half of the targets, in stated standard deviations, that no measurement explains."""
+SCALE_TOLERANCE = 0.002
+"""Difference of scale that projection, height and instrument together can bring."""
+LEVEL_TOLERANCE = 5.0
+"""Tilt in degrees between a cloud's vertical and control that a levelled instrument never has."""
 CONTROL_COLUMNS = ("point_id", "easting", "northing", "height", "sd_e", "sd_n", "sd_h")
 TARGET_COLUMNS = ("point_id", "x", "y", "z")
 
@@ -462,6 +468,11 @@ def register(
     if not used.all():
         out = ", ".join(n for n, u in zip(names, used) if not u)
         notes.append(f"disturbed target excluded: {out}; keeping it would shift units by up to {1000 * effect:.1f} mm")
+    tilt = math.degrees(math.acos(float(np.clip(fit.transformation.rotation[2, 2], -1, 1))))
+    if tilt > LEVEL_TOLERANCE:
+        notes.append(
+            f"vertical of the cloud is turned by {tilt:.1f} degrees against control: check the sign of heights unless it was not levelled"
+        )
     if fit.redundancy < 3:
         notes.append(f"redundancy of the registration is {fit.redundancy}: a disturbed target cannot be told")
     # an a posteriori factor below 1 is not trusted: the stated deviations are the least a surveyor vouches for
@@ -611,7 +622,7 @@ def _check_axes(surveyed: FloatArray, measured: FloatArray, noise: float, contro
     """Refuse exchanged columns: found as the order of columns with which the network fits upright."""
     axes = ("easting", "northing", "height")
     size = float(np.sqrt(np.mean(np.sum((surveyed - surveyed.mean(axis=0)) ** 2, axis=1))))
-    tolerance = max(20 * noise, 0.02 * size)
+    tolerance = AXES_TOLERANCE * noise + SCALE_TOLERANCE * size
     found: list[tuple[float, float, tuple[int, ...]]] = []
     for order in itertools.permutations(range(3)):
         moved = surveyed[:, order]

@@ -79,7 +79,8 @@ class JointAdjustment:
     poses
         Of each sighting, in the order given.
     covariances
-        By unit: (6 k, 6 k) covariance of the poses of its k sightings, in the order of ``order[unit]``; e, n, h, w_e, w_n, w_h each. It holds noise, surface deviations and offsets.
+        By unit: (6 k, 6 k) covariance of the poses of its k sightings, in the order of ``order[unit]``; e, n, h, w_e, w_n, w_h
+        each. It holds noise, surface deviations and offsets.
     order
         By unit: indices of its sightings, by epoch.
     offsets

@@ -465,12 +465,12 @@ def _cross_checks(
     """Displacements of all units between consecutive epochs by direct registration of their points."""
     checks = {}
     for first, second in zip(range(epochs - 1), range(1, epochs), strict=True):
-        noise = float(np.nanmax(joint.noise[[first, second]])) if len(joint.noise) > second else math.nan
         for unit, own in enumerate(seen):
             if first not in own or second not in own or not (own[first].certain or own[second].certain):
                 continue
             if not (len(own[first].points) and len(own[second].points)):
                 continue
+            noise = float(np.nanmax(joint.noise[[first, second]]))
             a, b = numbers[unit, first], numbers[unit, second]
             block = _joint_block(joint, unit, a, b)
             difference = np.hstack([-np.eye(3), np.zeros((3, 3)), np.eye(3), np.zeros((3, 3))])

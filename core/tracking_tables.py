@@ -144,7 +144,7 @@ def _motion_rows(
     return rows
 
 
-def pair_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], origin: Sequence[float]) -> list[Row]:
+def pair_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], origin: FloatArray) -> list[Row]:
     """Rows of ``epoch_pairs``: congruence tests, datum and calibration."""
     rows = []
     for pair in tracking.pairs:
@@ -172,7 +172,7 @@ def pair_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], origin: Sequen
     return rows
 
 
-def cross_check_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], names: Sequence[str], origin: Sequence[float]) -> list[Row]:
+def cross_check_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], names: Sequence[str], origin: FloatArray) -> list[Row]:
     """Rows of ``cross_checks``."""
     rows = []
     for (first, second, unit), check in sorted(tracking.cross_checks.items()):
@@ -202,7 +202,7 @@ def cross_check_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], names: 
     return rows
 
 
-def velocity_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], names: Sequence[str], origin: Sequence[float]) -> list[Row]:
+def velocity_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], names: Sequence[str], origin: FloatArray) -> list[Row]:
     """Rows of ``velocities``."""
     rows = []
     for unit, velocities in sorted(tracking.velocities.items()):
@@ -234,7 +234,7 @@ def unit_tables(
     epochs: Sequence[TrackedEpoch],
     units: Sequence[UnitType],
     names: Sequence[str],
-    origin: Sequence[float],
+    origin: FloatArray,
     from_fit: Callable[[int, int | None], Mapping[str, Any]],
     feature_rows: Callable[[str, str, Any, Pose, UnitType, FloatArray | None, Sequence[bool | None]], list[Row]],
     covariance_fields: Callable[[FloatArray], Row],
