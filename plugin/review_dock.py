@@ -64,8 +64,8 @@ from .engine import EngineCancelled, EngineError, Listener, run_engine
 from .review_map import ClickTool, ReviewMap
 from .review_plots import SeriesView, UnitScene, UnitView
 from .review_store import ReviewStore, Topic
-from .review_table import DECISION_COLOURS, ReviewModel, ReviewTable
-from .review_text import action_label, datum_label, decision_label, kind_label, length_format
+from .review_table import ReviewModel, ReviewTable
+from .review_text import DECISION_COLOURS, action_label, datum_label, decision_colour, decision_label, kind_label, length_format
 from .translation import tr
 
 FloatArray = NDArray[np.float64]
@@ -426,7 +426,7 @@ class ReviewDock(QgsDockWidget):
             button.setObjectName(f"review_{name}")
             button.setText(f"● {text}" if name in DECISION_COLOURS else text)
             if name in DECISION_COLOURS:
-                button.setStyleSheet(f"color: {DECISION_COLOURS[name]};")
+                button.setStyleSheet(f"color: {decision_colour(name, self.palette()).name()};")
             button.setToolTip(help_text)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             button.clicked.connect(lambda checked=False, run=run: run())
@@ -487,7 +487,7 @@ class ReviewDock(QgsDockWidget):
         text = html.escape("  ·  ".join(parts))
         if numbers.rejected:
             rejected = tr("{count} rejected, excluded from statistics and map").format(count=numbers.rejected)
-            text += f" · <b style='color:{DECISION_COLOURS['rejected']}'>{html.escape(rejected)}</b>"
+            text += f" · <b style='color:{decision_colour('rejected', self.palette()).name()}'>{html.escape(rejected)}</b>"
         self._counts.setText(text)
 
     def _show_unit(self) -> None:
@@ -562,7 +562,8 @@ class ReviewDock(QgsDockWidget):
                 )
             if row.p_value is not None:
                 verdict = tr("significant") if row.significant else tr("not significant")
-                line(tr("Test against no motion"), f"p = {row.p_value:.4f}, {verdict}")
+                p = f"p = {row.p_value:.4f}" if row.p_value >= 0.0001 else "p < 0.0001"
+                line(tr("Test against no motion"), f"{p}, {verdict}")
             line(tr("Detection limit"), lengths.text(row.detection_limit))
         else:
             line(tr("Displacement"), tr("none: one of the two positions is not known"))
@@ -624,7 +625,7 @@ class ReviewDock(QgsDockWidget):
 
     def _say(self, message: str, *, bad: bool = False) -> None:
         for label in (self._status, self._start_status):
-            label.setStyleSheet(f"color: {DECISION_COLOURS['rejected']};" if bad else "")
+            label.setStyleSheet(f"color: {decision_colour('rejected', self.palette()).name()};" if bad else "")
             label.setText(message)
 
     # window to store

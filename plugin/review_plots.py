@@ -19,7 +19,7 @@ from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
 from ..core.displacement_rows import Z_95, SeriesPoint
 from ..core.outline import PlacedShape, end_discs, section, silhouette
-from .review_text import LengthFormat, length_format
+from .review_text import LengthFormat, is_dark, length_format, paper
 from .translation import tr
 
 FloatArray = NDArray[np.float64]
@@ -84,11 +84,6 @@ class UnitScene:
             return math.pi / 2
         de, dn, _ = second.centre - first.centre
         return math.atan2(de, dn) if math.hypot(de, dn) > 0 else math.pi / 2
-
-
-def is_dark(palette: QPalette) -> bool:
-    """Whether a palette is that of a dark theme."""
-    return palette.color(QPalette.ColorRole.Base).lightness() < 128
 
 
 class UnitView(QWidget):
@@ -257,7 +252,7 @@ class UnitView(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         palette, dark = self.palette(), is_dark(self.palette())
-        painter.fillRect(self.rect(), palette.color(QPalette.ColorRole.Base))
+        painter.fillRect(self.rect(), paper(palette))
         ink = palette.color(QPalette.ColorRole.Text)
         if not self._curves:
             painter.setPen(ink)
@@ -288,7 +283,7 @@ class UnitView(QWidget):
         axes = np.vstack([right, up])
         for epoch in (0, 1):
             painter.setPen(QPen(colours[epoch], 1.5))
-            painter.setBrush(self.palette().color(QPalette.ColorRole.Base))
+            painter.setBrush(paper(self.palette()))
             positions = [p for name, p in self.scene.features[epoch].items() if name != "centre"]
             if positions:
                 for place in self._to_screen((np.array(positions) - self.scene.middle) @ axes.T):
@@ -320,7 +315,7 @@ class UnitView(QWidget):
         metrics = QFontMetricsF(self.font())
         line = metrics.height()
         title = tr("Plan") if self._plan else tr("Section {azimuth}°").format(azimuth=f"{math.degrees(self.azimuth) % 360:.0f}")
-        base = self.palette().color(QPalette.ColorRole.Base)
+        base = paper(self.palette())
         base.setAlpha(200)
         wide = max(metrics.horizontalAdvance(text) for text in (title, *self.scene.labels)) + 2 * MARGIN + 22
         painter.fillRect(QRectF(0, 0, wide, 3 * line + MARGIN + 2), base)
@@ -379,7 +374,7 @@ class SeriesView(QWidget):
         """Draw the plot."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), self.palette().color(QPalette.ColorRole.Base))
+        painter.fillRect(self.rect(), paper(self.palette()))
         ink = self.palette().color(QPalette.ColorRole.Text)
         painter.setPen(ink)
         if not any(len(points) > 1 for points in self.series.values()):

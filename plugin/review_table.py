@@ -9,14 +9,14 @@ from qgis.PyQt.QtGui import QBrush, QColor, QFont, QKeyEvent, QPalette
 from qgis.PyQt.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableView, QWidget
 
 from ..core.displacement_rows import UnitRow
+from ..core.reviews import DECISIONS
 from .review_store import COLUMNS, ReviewStore
-from .review_text import column_help, column_label, decision_label, kind_label, length_format
+from .review_text import column_help, column_label, decision_colour, decision_label, kind_label, length_format
 
 LENGTH_COLUMNS = ("d_3d", "d_horizontal", "vertical")
 TEXT_COLUMNS = ("unit_id", "kind", "decision", "reviewer")
-# tones that keep their contrast on light and dark bases
-DECISION_COLOURS = {"accepted": "#2E8B57", "rejected": "#C0392B", "inspect": "#D68910"}
-SAMPLE_TEXTS = {"unit_id": "U00000 ", "kind": "relocated", "decision": "accepted ●", "reviewer": "reviewer A"}
+FADED = 110
+"""Opacity, of 255, of the text of rejected units."""
 COMMANDS = {
     Qt.Key.Key_A: "accepted",
     Qt.Key.Key_R: "rejected",
@@ -75,9 +75,11 @@ class ReviewModel(QAbstractTableModel):
             font.setStrikeOut(review is not None and review.decision == "rejected" and column != "decision")
             return font
         if role == Qt.ItemDataRole.ForegroundRole and column == "decision" and review is not None:
-            return QBrush(QColor(DECISION_COLOURS.get(review.decision, "#7F8C8D")))
+            return QBrush(decision_colour(review.decision, QApplication.palette()))
         if role == Qt.ItemDataRole.ForegroundRole and review is not None and review.decision == "rejected":
-            return QBrush(QApplication.palette().color(QPalette.ColorGroup.Disabled, QPalette.ColorRole.Text))
+            faded = QColor(QApplication.palette().color(QPalette.ColorRole.Text))
+            faded.setAlpha(FADED)
+            return QBrush(faded)
         if role == Qt.ItemDataRole.ToolTipRole and review is not None and review.comment:
             return review.comment
         return None
@@ -149,9 +151,15 @@ class ReviewTable(QTableView):
         self.setSortingEnabled(True)
         self.selectionModel().selectionChanged.connect(self._tell_store)
         metrics = self.fontMetrics()
+        samples = {
+            "unit_id": [store.rows[0].unit_id] if store.rows else ["U0000"],
+            "kind": [kind_label(kind) for kind in ("relocated", "uncertain", "moved")],
+            "decision": [f"● {decision_label(decision)}" for decision in DECISIONS],
+            "reviewer": ["reviewer A"],
+        }
         for place, column in enumerate(COLUMNS):
-            sample = SAMPLE_TEXTS.get(column, "-00.000")
-            width = max(metrics.horizontalAdvance(sample) + 10, metrics.horizontalAdvance(column_label(column)) + 24)
+            widest = max(metrics.horizontalAdvance(sample) for sample in samples.get(column, ["-00.000"]))
+            width = max(widest + 14, metrics.horizontalAdvance(column_label(column)) + 24)
             self.setColumnWidth(place, width)
         self.horizontalHeader().setStretchLastSection(True)
         return model

@@ -5,8 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qgis.core import Qgis, QgsProject, QgsSettings, QgsUnitTypes
+from qgis.PyQt.QtGui import QColor, QPalette
 
 from .translation import tr
+
+DECISION_COLOURS = {"accepted": ("#1E7B4B", "#6FCF97"), "rejected": ("#B03A2E", "#FF8A7A"), "inspect": ("#B9770E", "#F2B134")}
+"""Colour of each decision on light and on dark paper."""
 
 
 def kind_label(kind: str) -> str:
@@ -26,7 +30,7 @@ def kind_label(kind: str) -> str:
 
 def decision_label(decision: str) -> str:
     """Name of a decision."""
-    return {"accepted": tr("accepted"), "rejected": tr("rejected"), "inspect": tr("inspect on site")}.get(decision, decision)
+    return {"accepted": tr("accepted"), "rejected": tr("rejected"), "inspect": tr("inspect")}.get(decision, decision)
 
 
 def datum_label(datum: str) -> str:
@@ -70,6 +74,26 @@ def column_help(column: str) -> str:
         "decision": tr("Decision of the reviewers"),
         "reviewer": tr("Who decided, and ✓ who confirmed"),
     }[column]
+
+
+def paper(palette: QPalette) -> QColor:
+    """Colour behind a drawing; themes made of style sheets leave palette colours transparent, then the text tells light from dark."""
+    for role in (QPalette.ColorRole.Base, QPalette.ColorRole.Window):
+        colour = palette.color(role)
+        if colour.alpha() == 255:
+            return colour
+    return QColor("#2B2B2B" if palette.color(QPalette.ColorRole.Text).lightness() > 128 else "#FFFFFF")
+
+
+def is_dark(palette: QPalette) -> bool:
+    """Whether a palette is that of a dark theme."""
+    return paper(palette).lightness() < 128
+
+
+def decision_colour(decision: str, palette: QPalette) -> QColor:
+    """Colour of a decision, readable on the palette's paper."""
+    light, dark = DECISION_COLOURS.get(decision, ("#5D6D7E", "#ABB2B9"))
+    return QColor(dark if is_dark(palette) else light)
 
 
 @dataclass(frozen=True)
