@@ -297,7 +297,7 @@ def set_pose(path: Path, unit_id: str, epoch: str, pose: NewPose, *, editor: str
     """Replace the pose of a unit in one epoch and bring its feature points and displacements along.
 
     The legs are numbered as before (the rotation of the tetrapod onto itself that turns it least). Displacements change by the
-    change of the feature points; of their variances the fit's share is replaced and that of the registration kept. Statistic and
+    change of the feature points, and their variances grow by what the new fit is worse than the old. Statistic and
     p-value then follow from the standard deviations (chi-square with three degrees of freedom).
 
     Raises
@@ -513,14 +513,13 @@ def _carry_displacements(connection: sqlite3.Connection, before: dict[str, list[
             sign = 1.0 if row["epoch_to"] == epoch else -1.0
             a, b = was[row["feature"]], now[row["feature"]]
             vector = _vector(row) + sign * (b["geom"] - a["geom"])
-            # what is left of the variance after the old fit's share is the registration's and the other epoch's
-            rest = np.maximum(_sd(row) ** 2 - _sd(a) ** 2, 0.0)
+            # only the fit's share changes; a correction by hand never makes a displacement look surer than the run did
+            variance = _sd(row) ** 2 + np.maximum(_sd(b) ** 2 - _sd(a) ** 2, 0.0)
             start = row["geom"][0] if sign > 0 else row["geom"][0] + (b["geom"] - a["geom"])
-            sd_rotation = math.sqrt(
-                max((row["sd_rotation_deg"] or 0) ** 2 - (old["sd_rotation_deg"] or 0) ** 2, 0) + pose.sd_rotation_deg**2
-            )
+            more = max(pose.sd_rotation_deg**2 - (old["sd_rotation_deg"] or 0.0) ** 2, 0.0)
+            sd_rotation = math.sqrt((row["sd_rotation_deg"] or 0.0) ** 2 + more)
             critical = _critical_p(connection, layer, row)
-            values = _measures(vector, np.sqrt(rest + _sd(b) ** 2), start, srs_of(connection), row["class"], critical, pose.height)
+            values = _measures(vector, np.sqrt(variance), start, srs_of(connection), row["class"], critical, pose.height)
             values |= {"rotation_deg": _turn(rotations, row["epoch_from"], row["epoch_to"]), "sd_rotation_deg": sd_rotation}
             full = _raw(connection, layer, row["fid"]) | values
             connection.execute(DELETE_ROW[layer], (row["fid"],))
@@ -530,8 +529,7 @@ def _carry_displacements(connection: sqlite3.Connection, before: dict[str, list[
 def _connect_epochs(connection: sqlite3.Connection, unit_id: str, first: set[str], second: set[str]) -> dict[str, list[int]]:
     """Add displacements of a unit between epochs of two sets, wherever the result compares them at all; the fids added.
 
-    The registration's share of the variance is not in the layers, so it is taken from the smallest variance of other units less the
-    fits' own, and the datum's small shift from the median difference between their displacements and their points.
+    What the layers do not hold, the registration's share of the variance and the datum's small shift, is taken from other units.
     """
     points = query(connection, "SELECT * FROM feature_points WHERE unit_id = ?", (unit_id,))
     places = {(row["epoch"], row["feature"]): row for row in points}
@@ -550,14 +548,14 @@ def _connect_epochs(connection: sqlite3.Connection, unit_id: str, first: set[str
             ends = (pair["epoch_from"], pair["epoch_to"])
             if not ((ends[0] in first and ends[1] in second) or (ends[0] in second and ends[1] in first)):
                 continue
-            shift, common = _common_part(connection, layer, pair)
+            shift, common, least = _common_part(connection, layer, pair)
             critical = _critical_p(connection, layer, pair)
             for feature in FEATURES:
                 a, b = places.get((ends[0], feature)), places.get((ends[1], feature))
                 if a is None or b is None or a["geom"] is None or b["geom"] is None:
                     continue
                 vector = b["geom"] - a["geom"] + shift
-                sd = np.sqrt(_sd(a) ** 2 + _sd(b) ** 2 + common)
+                sd = np.sqrt(np.maximum(_sd(a) ** 2 + _sd(b) ** 2 + common, least))
                 row: Row = {**pair, "unit_id": unit_id, "feature": feature}
                 row |= _measures(vector, sd, a["geom"], srs_of(connection), "stable", critical, height)
                 row |= {"rotation_deg": _turn(rotations, *ends), "sd_rotation_deg": None}
@@ -565,15 +563,16 @@ def _connect_epochs(connection: sqlite3.Connection, unit_id: str, first: set[str
     return added
 
 
-def _common_part(connection: sqlite3.Connection, layer: str, pair: Row) -> tuple[FloatArray, FloatArray]:
-    """Shift (3,) of a datum against the points' own frame, and the registration's variances (3,), from up to 200 other units."""
+def _common_part(connection: sqlite3.Connection, layer: str, pair: Row) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """What up to 200 other units of a pair and datum tell, (3,) each: shift against the points' own frame, variance beyond that of
+    the two points (negative where a registration error common to both epochs cancels), and the least variance."""
     statements = {
         "displacements": "SELECT * FROM displacements WHERE feature = 'centre' AND epoch_from = ? AND epoch_to = ? AND datum = ? LIMIT 200",
         "displacements_other": (
             "SELECT * FROM displacements_other WHERE feature = 'centre' AND epoch_from = ? AND epoch_to = ? AND datum = ? LIMIT 200"
         ),
     }
-    shifts, commons = [], []
+    shifts, commons, variances = [], [], []
     for row in query(connection, statements[layer], (pair["epoch_from"], pair["epoch_to"], pair["datum"])):
         ends = {
             point["epoch"]: point
@@ -583,9 +582,10 @@ def _common_part(connection: sqlite3.Connection, layer: str, pair: Row) -> tuple
         if a is not None and b is not None and a["geom"] is not None and b["geom"] is not None:
             shifts.append(_vector(row) - (b["geom"] - a["geom"]))
             commons.append(_sd(row) ** 2 - _sd(a) ** 2 - _sd(b) ** 2)
+            variances.append(_sd(row) ** 2)
     if not shifts:
-        return np.zeros(3), np.zeros(3)
-    return np.median(shifts, axis=0), np.maximum(np.median(commons, axis=0), 0.0)
+        return np.zeros(3), np.zeros(3), np.zeros(3)
+    return np.median(shifts, axis=0), np.median(commons, axis=0), np.min(variances, axis=0)
 
 
 def _critical_p(connection: sqlite3.Connection, layer: str, pair: Row) -> float:

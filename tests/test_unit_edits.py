@@ -147,3 +147,15 @@ def test_chi_square_of_three_degrees_of_freedom() -> None:
 
     for value in (0.0, 0.5, 7.814728, 30.0):
         assert chi2_3_survival(value) == pytest.approx(chi2.sf(value, 3), rel=1e-9)
+
+
+def test_correction_never_makes_a_displacement_look_surer(result: Path, tmp_path: Path) -> None:
+    unit = next(u for u in write_result(tmp_path / "twin.gpkg", 40, 3) if u.fate == "stable")
+    pair = epoch_pairs(result)[0]
+    old = next(r for r in read_unit_rows(result, pair, "stable") if r.unit_id == unit.unit_id)
+    for sd, expected in ((SD / 2, old.sd), (5 * SD, np.sqrt(old.sd**2 + 24 * SD**2))):
+        pose = new_pose(unit.centres[1], unit.quaternions[1])
+        set_pose(result, unit.unit_id, pair.epoch_to, NewPose(**{**vars(pose), "sd": sd}), editor="A")
+        row = next(r for r in read_unit_rows(result, pair, "stable") if r.unit_id == unit.unit_id)
+        np.testing.assert_allclose(row.sd, expected, rtol=1e-6)
+        undo_edit(result, read_edits(result)[-1].number, editor="A")
