@@ -62,7 +62,8 @@ def look_up(own: FloatArray, pose: Pose, unit: UnitType, before: FloatArray, now
         Distance in metres within which a point lies on the surface (noise and registration).
     """
     reach = float(np.hypot(unit.leg_length, unit.end_radius)) + tolerance
-    near = np.flatnonzero(np.sum((now - pose.centre) ** 2, axis=1) < reach**2)
+    # what the unit hid lies partly beyond its own reach
+    near = np.flatnonzero(np.sum((now - pose.centre) ** 2, axis=1) < (1.3 * reach) ** 2)
     if not len(near) or not len(own):
         return Presence("hidden", 0.0, np.empty(0, dtype=np.int64))
     relation = relate(pose.to_body(now[near]), unit)

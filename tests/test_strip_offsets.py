@@ -1,0 +1,103 @@
+"""Joint adjustment: offsets of strips are found, displacements gain, covariances are honest."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
+from tetratrack.core.strip_offsets import JointAdjustment, UnitSighting, adjust_jointly
+
+
+def two_epochs(seed: int, spread: float, count: int = 600, noise: float = 0.012) -> tuple[list[UnitSighting], list[np.ndarray]]:
+    """Sightings of unmoved units from three strips, each unit seen by two of them as where strips overlap, and the true offsets."""
+    rng = np.random.default_rng(seed)
+    poses = grid_poses(rng)
+    roughness = rng.normal(0, 6, (6, 3))
+    offsets = [rng.normal(0, spread, (3, 3)) for _ in range(2)]
+    offsets = [o - o.mean(axis=0) for o in offsets]
+    sightings = []
+    for unit, pose in enumerate(poses):
+        for epoch in range(2):
+            pair = [unit % 3, (unit + 1 + epoch) % 3] if (unit + 1 + epoch) % 3 != unit % 3 else [unit % 3, (unit + 2) % 3]
+            cloud = seen_from_above(pose, rng, count, noise, offsets[epoch][pair], roughness)
+            start = pose.perturbed(rng.normal(0, 0.01, 3), rng.normal(0, 0.005, 3))
+            sources = np.array(pair)[cloud.sources] + 1
+            sightings.append(UnitSighting(unit, epoch, start, cloud.points, sources, ALL_DISCS, UNIT))
+    return sightings, offsets
+
+
+def displacements(joint: JointAdjustment) -> tuple[np.ndarray, np.ndarray]:
+    """Displacements of the centres and their covariances."""
+    difference = np.hstack([-np.eye(3), np.zeros((3, 3)), np.eye(3), np.zeros((3, 3))])
+    vectors = np.array([joint.poses[b].centre - joint.poses[a].centre for a, b in joint.order.values()])
+    return vectors, np.array([difference @ joint.covariances[unit] @ difference.T for unit in joint.order])
+
+
+def test_offsets_are_found_within_their_deviations() -> None:
+    scores = []
+    for seed in range(6):
+        sightings, offsets = two_epochs(seed, spread=0.012)
+        joint = adjust_jointly(sightings)
+        for (epoch, source), found in joint.offsets.items():
+            error = found - offsets[epoch][source - 1]
+            assert np.abs(error).max() < 0.003
+            scores += (error / joint.offset_sds[epoch, source]).tolist()
+    assert np.sqrt(np.mean(np.square(scores))) < 2
+
+
+def test_displacements_gain_from_offsets() -> None:
+    with_offsets, without = [], []
+    for seed in range(3):
+        sightings, _ = two_epochs(seed, spread=0.012)
+        with_offsets.append(displacements(adjust_jointly(sightings))[0])
+        without.append(displacements(adjust_jointly(sightings, offset_sd=0.0))[0])
+    assert np.sqrt(np.mean(np.square(with_offsets))) < 0.5 * np.sqrt(np.mean(np.square(without)))
+
+
+def test_covariances_of_displacements_are_honest() -> None:
+    """Roughness that both epochs share does not pass into displacements, and is not counted as noise that averages out."""
+    forms = []
+    for seed in range(10, 16):
+        joint = adjust_jointly(two_epochs(seed, spread=0.008)[0])
+        vectors, covariances = displacements(joint)
+        forms += [float(v @ np.linalg.solve(c, v)) / 3 for v, c in zip(vectors, covariances, strict=True)]
+    assert 0.6 < np.mean(forms) < 1.5
+
+
+def test_noise_is_estimated_by_epoch() -> None:
+    joint = adjust_jointly(two_epochs(1, spread=0.0, noise=0.01)[0])
+    assert joint.noise == pytest.approx([0.01, 0.01], rel=0.1)
+
+
+def test_moved_unit_keeps_its_motion() -> None:
+    sightings, _ = two_epochs(2, spread=0.01)
+    moved = sightings[5]
+    shift = np.array([0.05, -0.02, 0.01])
+    sightings[5] = UnitSighting(
+        moved.unit, moved.epoch, moved.pose.shifted(shift), moved.points + shift, moved.sources, moved.discs, moved.shape
+    )
+    vectors, _ = displacements(adjust_jointly(sightings))
+    assert np.allclose(vectors[2], shift, atol=0.006)
+    assert np.linalg.norm(np.delete(vectors, 2, axis=0), axis=1).max() < 0.01
+
+
+def test_one_epoch_and_nothing() -> None:
+    sightings = [s for s in two_epochs(3, spread=0.01)[0] if s.epoch == 0]
+    joint = adjust_jointly(sightings)
+    assert len(joint.poses) == 16
+    assert joint.covariances[0].shape == (6, 6)
+    assert adjust_jointly([]).poses == ()
+
+
+def test_poses_of_an_undetermined_unit_do_not_spoil_the_rest() -> None:
+    """A unit of which only a patch of one leg is seen has a large covariance, not a wrong small one."""
+    sightings, _ = two_epochs(4, spread=0.01)
+    first = sightings[0]
+    along = first.pose.to_body(first.points) @ UNIT.leg_directions.T
+    leg = int(np.argmax(np.bincount(np.argmax(along, axis=1))))
+    near = (np.argmax(along, axis=1) == leg) & (along[:, leg] < 1.2)
+    sightings[0] = UnitSighting(0, 0, first.pose, first.points[near], first.sources[near], np.zeros(4, dtype=np.bool_), UNIT)
+    joint = adjust_jointly(sightings)
+    assert np.sqrt(np.diag(joint.covariances[0]))[:6].max() > 10 * np.sqrt(np.diag(joint.covariances[1]))[:6].max()
+    vectors, _ = displacements(joint)
+    assert np.linalg.norm(vectors[1:], axis=1).max() < 0.01

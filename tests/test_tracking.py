@@ -1,0 +1,189 @@
+"""Tracking of a synthetic pile through three epochs: identity, status, datums, velocities, rows."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
+from tetratrack.core.control import Transformation
+from tetratrack.core.displacement import grades_from
+from tetratrack.core.pose import Pose
+from tetratrack.core.schema import LAYERS
+from tetratrack.core.tracking import FittedUnit, TrackedEpoch, Tracking, track
+from tetratrack.core.tracking_tables import TableOptions, cross_check_rows, displacement_rows, pair_rows, unit_names, velocity_rows
+
+MOVE = np.array([0.06, -0.03, -0.02])
+CREEP = np.array([0.02, 0.0, -0.01])
+GONE, HIDDEN, MOVED, CREEPS = 3, 6, 9, 12
+REGISTRATION = np.diag([0.004**2] * 3 + [0.0005**2] * 3 + [0.0])
+
+
+@cache
+def tracked() -> tuple[Tracking, tuple[TrackedEpoch, ...], list[Pose], list[list[int]]]:
+    """Sixteen units: one moves after the first epoch, one creeps, one is taken away, one is covered in the second epoch."""
+    rng = np.random.default_rng(11)
+    poses = grid_poses(rng)
+    epochs: list[TrackedEpoch] = []
+    clouds = []
+    order = []
+    for number in range(3):
+        error = Transformation(np.zeros(3), np.zeros(3), rng.normal(0, 0.004, 3), np.eye(3), 1.0, REGISTRATION)
+        offsets = rng.normal(0, 0.008, (3, 3))
+        offsets -= offsets.mean(axis=0)
+        units, points, names = [], [], []
+        for k, pose in enumerate(poses):
+            if k == GONE and number > 0:
+                ground = np.column_stack([rng.uniform(-1, 1, (1500, 2)), np.full(1500, -1.6)]) + pose.centre
+                points.append(ground)
+                continue
+            if k == HIDDEN and number == 1:
+                points.append(np.column_stack([rng.uniform(-1.4, 1.4, (3000, 2)), np.full(3000, 1.9)]) + pose.centre)
+                continue
+            shift = MOVE * (k == MOVED and number > 0) + CREEP * (number if k == CREEPS else 0)
+            placed = pose.shifted(shift)
+            cloud = seen_from_above(placed, rng, 900, 0.01, offsets)
+            seen = error.apply(cloud.points)
+            start = error.apply_pose(placed).perturbed(rng.normal(0, 0.005, 3), rng.normal(0, 0.003, 3))
+            relabelled = start.relabelled(UNIT.symmetries[rng.integers(12)])
+            units.append(FittedUnit(relabelled, UNIT, 0, True, ALL_DISCS, seen, cloud.sources + 1))
+            points.append(seen)
+            names.append(k)
+        epochs.append(TrackedEpoch(str(number), datetime(2020 + number, 1, 1, tzinfo=UTC), tuple(units), error, 15))
+        clouds.append(np.vstack(points))
+        order.append(names)
+
+    def surroundings(epoch: int, places: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
+        near = np.linalg.norm(clouds[epoch][:, None] - places[None], axis=2).min(axis=1) < reach
+        return clouds[epoch][near], np.ones(int(near.sum()), dtype=np.int64)
+
+    return track(epochs, [UNIT], surroundings), tuple(epochs), poses, order
+
+
+def of_unit(number: int) -> tuple[int, dict[int, Any]]:
+    """Index in the result and states of a unit by its true number."""
+    result, _, _, order = tracked()
+    for k, states in enumerate(result.units):
+        if states[0].row is not None and order[0][states[0].row] == number:
+            return k, states
+    raise KeyError(number)
+
+
+def test_every_unit_is_one_track() -> None:
+    result, _, _, order = tracked()
+    assert len(result.units) == 16
+    for states in result.units:
+        assert len({order[e][s.row] for e, s in states.items() if s.row is not None}) == 1
+
+
+def test_status_of_lost_and_covered_units() -> None:
+    assert {e: s.status for e, s in of_unit(GONE)[1].items()} == {0: "found", 1: "lost", 2: "lost"}
+    assert {e: s.status for e, s in of_unit(HIDDEN)[1].items()} == {0: "found", 1: "unseen", 2: "found"}
+    assert of_unit(HIDDEN)[1][1].pose is None
+
+
+def test_leg_numbers_are_carried() -> None:
+    for states in tracked()[0].units:
+        first = next(s for s in states.values() if s.pose is not None)
+        for state in states.values():
+            if state.pose is not None:
+                assert np.allclose(state.pose.rotation, first.pose.rotation, atol=0.02)
+
+
+def test_moved_and_stable_units_in_both_datums() -> None:
+    result, _, _, _ = tracked()
+    pair = result.pairs[0]
+    moved, creeping = of_unit(MOVED)[0], of_unit(CREEPS)[0]
+    for motion in pair.units:
+        true = MOVE if motion.unit == moved else CREEP if motion.unit == creeping else np.zeros(3)
+        assert np.allclose(motion.motions["stable"].vectors[0], true, atol=0.008)
+        assert (motion.classes["stable"] == "moved") == bool(true.any())
+        assert motion.motions["control"].covariances[0].trace() > motion.motions["stable"].covariances[0].trace()
+        assert (motion.motions["stable"].detectable < motion.motions["control"].detectable).all()
+    assert not dict(zip([m.unit for m in pair.units], pair.congruence.stable.tolist(), strict=True))[moved]
+    assert pair.congruence.common_p_value > 0.001
+
+
+def test_velocity_of_the_creeping_unit() -> None:
+    result = tracked()[0]
+    unit = of_unit(CREEPS)[0]
+    centre = result.velocities[unit][0]
+    assert np.allclose(centre.vector, CREEP, atol=0.004)
+    quiet = [v[0] for k, v in result.velocities.items() if k not in (unit, of_unit(MOVED)[0])]
+    assert max(np.linalg.norm(v.vector) for v in quiet) < 0.006
+
+
+def test_cross_checks_agree() -> None:
+    checks = tracked()[0].cross_checks
+    assert len(checks) >= 26
+    assert np.mean([c.agrees is True for c in checks.values()]) > 0.9
+
+
+def test_rows_fit_their_layers() -> None:
+    result, epochs, _, _ = tracked()
+    names = unit_names(len(result.units))
+    section = {"watch": 0.05, "alert": 0.1, "partly_damaged": 0.5, "damaged": 1.0, "dislocated": 1.0}
+    options = TableOptions((1000.0, 2000.0, 0.0), 0.05, grades_from(section))
+    main, other = displacement_rows(result, epochs, [UNIT], names, options)
+    for layer, rows in (
+        ("displacements", main),
+        ("displacements_other", other),
+        ("epoch_pairs", pair_rows(result, epochs, np.zeros(3))),
+        ("velocities", velocity_rows(result, epochs, names, np.zeros(3))),
+        ("cross_checks", cross_check_rows(result, epochs, names, np.zeros(3))),
+    ):
+        assert rows
+        assert all(set(row) == {*LAYERS[layer].names, "geometry"} for row in rows)
+    assert {(r["epoch_from"], r["epoch_to"], r["datum"]) for r in main} == {("0", "1", "stable"), ("1", "2", "stable")}
+    assert {(r["epoch_from"], r["epoch_to"], r["datum"]) for r in other} == {
+        ("0", "1", "control"),
+        ("1", "2", "control"),
+        ("0", "2", "stable"),
+        ("0", "2", "control"),
+    }
+    row = next(r for r in main if r["unit_id"] == names[of_unit(MOVED)[0]] and r["feature"] == "centre" and r["epoch_to"] == "1")
+    assert row["grade"] == "watch"
+    assert row["significant"]
+    start, stop = row["geometry"]
+    assert np.allclose(stop - start, [row["de"], row["dn"], row["dh"]])
+    assert start[0] > 990
+
+
+def test_without_points_the_fits_alone_are_tracked() -> None:
+    _, epochs, _, _ = tracked()
+    nothing = np.empty((0, 3)), np.empty(0, dtype=np.int64)
+    bare = [
+        TrackedEpoch(
+            e.label,
+            e.time,
+            tuple(
+                FittedUnit(u.pose, UNIT, 0, True, u.discs, np.empty((0, 3)), np.empty(0, dtype=np.int64), np.eye(6) * 0.005**2)
+                for u in e.units
+            ),
+            e.registration,
+        )
+        for e in epochs
+    ]
+    result = track(bare, [UNIT])
+    assert len(result.units) == 16
+    assert not result.cross_checks
+    classes = [m.classes["stable"] for m in result.pairs[0].units]
+    assert classes.count("moved") == 1
+    assert {s.status for states in result.units for s in states.values()} == {"found", "unseen"}
+
+
+def test_one_epoch() -> None:
+    _, epochs, _, _ = tracked()
+    result = track(epochs[:1], [UNIT])
+    assert result.pairs == ()
+    assert len(result.units) == 16
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_no_units_at_all(count: int) -> None:
+    _, epochs, _, _ = tracked()
+    empty = [TrackedEpoch(e.label, e.time, (), e.registration) for e in epochs[:count]]
+    assert track(empty, [UNIT]).units == ()
