@@ -154,7 +154,6 @@ def test_rows_fit_their_layers() -> None:
 
 def test_without_points_the_fits_alone_are_tracked() -> None:
     _, epochs, _, _ = tracked()
-    nothing = np.empty((0, 3)), np.empty(0, dtype=np.int64)
     bare = [
         TrackedEpoch(
             e.label,
