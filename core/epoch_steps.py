@@ -175,7 +175,7 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
         feedback.progress(0.3 * number / len(views), f"reading {path.name}")
         tile = inspect_tile(path, None)
         crs = crs or tile.crs
-        cloud = read_points([tile], "LOCAL", origin=origin)
+        cloud = read_points([tile], crs or "LOCAL", origin=origin)
         origin = cloud.origin
         clouds.append(cloud.xyz)
     feedback.progress(0.3, "registering views")
