@@ -7,6 +7,7 @@ it, TETRATRACK_SUFFIX is appended to the names of the pictures.
 from __future__ import annotations
 
 import os
+import traceback
 from pathlib import Path
 
 from qgis import processing
@@ -87,4 +88,13 @@ def main() -> None:
     os._exit(0)
 
 
-QTimer.singleShot(4000, main)
+def guarded() -> None:
+    """Say on the console what went wrong: a message box would wait for ever."""
+    try:
+        main()
+    except BaseException:
+        traceback.print_exc()
+        os._exit(1)
+
+
+QTimer.singleShot(4000, guarded)

@@ -125,6 +125,71 @@ def test_feature_points_follow_from_units(fitted: dict[str, Any], context: QgsPr
     assert {feature["feature"] for feature in found["OUTPUT"].getFeatures()} == {"centre", "f123", "f124", "f134", "f234"}
 
 
+def test_displacements_and_check_points_by_steps(
+    tiny: Path, tmp_path: Path, fitted: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+) -> None:
+    """Two epochs fitted, tracked with their registrations, and the later one compared with its check points."""
+    found = run("segmenttetrapods", {**epoch(tiny, EPOCHS[1]), **UNIT, "UNITS": "TEMPORARY_OUTPUT"}, context, feedback)
+    parameters = {**epoch(tiny, EPOCHS[1]), **UNIT, "INPUT": found["UNITS"], "UNITS": "TEMPORARY_OUTPUT"}
+    later = run("fittetrapods", parameters, context, feedback)
+    registrations = []
+    for label in EPOCHS:
+        parameters = {
+            **epoch(tiny, label),
+            "CONTROL": str(tiny / f"control_{label}.csv"),
+            "TARGETS": str(tiny / f"targets_{label}.csv"),
+            "RESIDUALS": "TEMPORARY_OUTPUT",
+            "OUTPUT": str(tmp_path / f"registration_{label}.gpkg"),
+        }
+        registrations.append(run("registertocontrol", parameters, context, feedback)["OUTPUT"])
+    parameters = {
+        "INPUT": [fitted["UNITS"], later["UNITS"]],
+        "REGISTRATIONS": registrations,
+        "UNITS": "TEMPORARY_OUTPUT",
+        "OUTPUT": "TEMPORARY_OUTPUT",
+    }
+    tracked = run("trackdisplacements", parameters, context, feedback)
+    assert tracked["UNITS_MOVED"] == 1
+    assert tracked["OUTPUT"].wkbType() == Qgis.WkbType.LineStringZ
+    assert tracked["OUTPUT"].featureCount() == 4 * 5
+    features = run("extractfeaturepoints", {"INPUT": tracked["UNITS"], "OUTPUT": "TEMPORARY_OUTPUT"}, context, feedback)
+    only = processing.run(
+        "native:extractbyattribute",
+        {"INPUT": features["OUTPUT"], "FIELD": "epoch", "OPERATOR": 0, "VALUE": EPOCHS[1], "OUTPUT": "TEMPORARY_OUTPUT"},
+    )["OUTPUT"]
+    parameters = {"INPUT": only, "CHECK": str(tiny / f"check_{EPOCHS[1]}.csv"), "OUTPUT": "TEMPORARY_OUTPUT"}
+    checked = run("validatesurvey", parameters, context, feedback)
+    assert checked["POINT_COUNT"] > 0
+    assert checked["RMSE"] < 0.05
+
+
+def test_views_become_one_cloud(tiny: Path, tmp_path: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+    views = sorted(str(path) for path in (tiny / "tiles").glob("*/*_00.laz"))
+    found = run("registerviews", {"TILES": views, "VOXEL": 0.1, "OUTPUT": str(tmp_path / "cloud.laz")}, context, feedback)
+    assert found["VIEW_COUNT"] == 2
+    assert 0 < found["RMSE"] < 0.1
+    assert (tmp_path / "cloud.laz").stat().st_size > 10_000
+
+
+def test_simulated_survey_can_be_inspected(tmp_path: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+    parameters = {"UNIT": "tetrapod 8 t", "UNITS": 4, "EPOCHS": 1, "OUTPUT": str(tmp_path / "site")}
+    found = run("simulatesurvey", parameters, context, feedback)
+    assert Path(found["SURVEY"]).is_file()
+    tiles = run(
+        "inspecttiles", {"TILES": [str(p) for p in Path(found["OUTPUT"]).rglob("*.laz")], "OUTPUT": "TEMPORARY_OUTPUT"}, context, feedback
+    )
+    assert tiles["POINT_COUNT"] > 1000
+
+
+def test_report_of_a_result(
+    tmp_path: Path, monitored: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+) -> None:
+    found = run("displacementreport", {"INPUT": monitored["OUTPUT"], "OUTPUT": str(tmp_path / "report.html")}, context, feedback)
+    text = Path(found["OUTPUT"]).read_text(encoding="utf-8")
+    assert "<html" in text
+    assert "U0001" in text
+
+
 def test_plan_states_numbers(context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
     coarse = run("planningdetectability", {"UNIT": "tetrapod 8 t", "DENSITY": 50}, context, feedback)
     fine = run("planningdetectability", {"UNIT": "tetrapod 8 t", "DENSITY": 500}, context, feedback)
