@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -115,17 +116,18 @@ def fpfh_ransac(target: Any, model: Any, voxel: float) -> tuple[FloatArray, floa
     return refined(model, target, np.array(result.transformation), 2 * voxel)
 
 
-def fpfh_blind(cloud: EpochCloud, unit: UnitType, wanted: int) -> list[Pose]:
-    """Peel units off the whole scene one by one; stops when three tries in a row explain nothing new."""
+def fpfh_blind(cloud: EpochCloud, unit: UnitType, wanted: int, seconds: float = 300.0) -> list[Pose]:
+    """Peel units off the whole scene one by one; stops when three tries in a row explain nothing new, or when time is up."""
     import open3d as o3d
 
+    end = time.monotonic() + seconds
     o3d.utility.random.seed(1)
     voxel = 0.03 * unit.height
     model = model_cloud(unit).voxel_down_sample(voxel)
     left = with_normals(cloud.points, voxel)
     poses: list[Pose] = []
     failures = 0
-    while len(poses) < wanted and failures < 3:
+    while len(poses) < wanted and failures < 3 and time.monotonic() < end:
         matrix, _ = fpfh_ransac(left, model, voxel)
         pose = _pose(matrix)
         on = np.abs(relate(pose.to_body(np.asarray(left.points)), unit).distance) < voxel
