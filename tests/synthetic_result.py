@@ -95,7 +95,14 @@ def write_result(
     _control(rows, labels, rng)
     _check(rows, made, labels, rng)
     for e in range(epochs):
-        transformation = {"parameters": [0.0] * 6 + [1.0], "covariance": np.zeros((7, 7)).tolist(), "origin": ORIGIN.tolist()}
+        transformation = {
+            "origin_from": ORIGIN.tolist(),
+            "origin_to": ORIGIN.tolist(),
+            "translation_m": [0.0, 0.0, 0.0],
+            "rotation_vector_rad": [0.0, 0.0, 0.0],
+            "scale": 1.0,
+            "covariance": np.diag([4e-6, 4e-6, 4e-6, 1e-8, 1e-8, 1e-8, 0]).tolist(),
+        }
         settings = {"crs": f"EPSG:{SRS}", "survey": "synthetic breakwater", "significance": 0.05, "leg_length": LEG_LENGTH}
         rows["epochs"].append(
             {

@@ -1,0 +1,110 @@
+"""The point index from tiles, and a new fit of one unit at a place the user showed."""
+
+from __future__ import annotations
+
+import json
+import sqlite3
+from contextlib import closing
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+from synthetic_result import GRADIENT, HEIGHT, ORIGIN, RADIUS, SRS, SyntheticUnit, make_units, write_points, write_result
+from tetratrack.core.control import Transformation
+from tetratrack.core.displacement_rows import read_details, read_unit_rows
+from tetratrack.core.errors import InputError
+from tetratrack.core.outline import rotation_of_quaternion
+from tetratrack.core.result_tables import epoch_pairs, read_layer_rows
+from tetratrack.core.survey import read_survey
+from tetratrack.core.unit_edits import NewPose, read_edits, set_pose
+from tetratrack.core.unit_points import PointIndex, index_folder
+from tetratrack.core.unit_refit import index_unit_points, refit_unit, transformation_of
+from tetratrack.core.workflow import Feedback
+
+
+def stable_units(count: int) -> list[SyntheticUnit]:
+    return [unit for unit in make_units(3 * count, 2) if unit.fate == "stable"][:count]
+
+
+def test_refit_finds_the_unit_under_the_click_and_carries_its_displacement(tmp_path: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    units = write_result(path, epochs=2, units=stable_units(8))
+    write_points(path, units, 2, per_unit=2000)
+    unit, (pair,) = units[3], epoch_pairs(path)
+    truth = next(row for row in read_unit_rows(path, pair, "stable") if row.unit_id == unit.unit_id)
+    wrong = NewPose(unit.centres[1] + 0.3, rotation_of_quaternion([0, 0, 0, 1]), RADIUS, GRADIENT, HEIGHT, np.full(3, 0.004), 0.2)
+    set_pose(path, unit.unit_id, pair.epoch_to, wrong, editor="A")
+    near = unit.centres[1] + np.array([0.2, -0.1, 0.5])
+    found = refit_unit(path, unit.unit_id, pair.epoch_to, near, editor="B")
+    assert found["n_points"] > 200
+    shape = read_details(path, unit.unit_id).shapes[pair.epoch_to]
+    assert np.linalg.norm(shape.centre - unit.centres[1]) < 0.005
+    turn = shape.rotation.T @ rotation_of_quaternion(unit.quaternions[1])
+    assert np.degrees(np.arccos(min((np.trace(turn) - 1) / 2, 1.0))) < 1.0, "legs keep their numbers"
+    row = next(row for row in read_unit_rows(path, pair, "stable") if row.unit_id == unit.unit_id)
+    np.testing.assert_allclose(row.vector, truth.vector, atol=0.005)
+    # the registration's 2 mm are part of the new standard deviations
+    unit_row = next(r for r in read_layer_rows(path, "units") if r["unit_id"] == unit.unit_id and r["epoch"] == pair.epoch_to)
+    assert 0.002 <= unit_row["sd_e"] < 0.02
+    assert [(edit.kind, edit.editor) for edit in read_edits(path)] == [("pose", "A"), ("pose", "B")]
+
+
+def test_click_beside_every_unit_changes_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    units = write_result(path, epochs=2, units=stable_units(3))
+    write_points(path, units, 2, per_unit=300)
+    with pytest.raises(InputError, match="no tetrapod is found"):
+        refit_unit(path, units[0].unit_id, "2024-04-09", ORIGIN + np.array([0, 0, 40.0]), editor="A")
+    with pytest.raises(InputError, match="no such unit"):
+        refit_unit(path, "X", "2024-04-09", ORIGIN, editor="A")
+    with pytest.raises(InputError, match="no epoch 1999"):
+        refit_unit(path, units[0].unit_id, "1999", ORIGIN, editor="A")
+    assert read_edits(path) == []
+
+
+def test_tiles_are_indexed_in_the_control_frame(tmp_path: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    units = write_result(path, epochs=2, units=stable_units(4))
+    rng = np.random.default_rng(4)
+    shift = np.array([0.05, -0.02, 0.03])
+    record = json.dumps({**Transformation.identity(ORIGIN).as_record(), "translation_m": shift.tolist()})
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE epochs SET transformation = ? WHERE label = '2024-04-09'", (record,))
+        connection.execute("UPDATE epochs SET transformation = NULL WHERE label = '2023-04-09'")
+    epochs = []
+    cloud = np.round(rng.uniform(ORIGIN - 10, ORIGIN + np.array([40, 40, 10]), (40_000, 3)), 3)
+    for label in ("2023-04-09", "2024-04-09"):
+        header = laspy.LasHeader(point_format=6, version="1.4")
+        header.offsets, header.scales = ORIGIN, [0.001] * 3
+        las = laspy.LasData(header)
+        las.x, las.y, las.z = cloud.T
+        las.write(str(tmp_path / f"{label}.laz"))
+        epochs.append(f'[[epoch]]\nlabel = "{label}"\ntime = {label}T02:30:00Z\ntiles = "{label}.laz"\ntiles_crs = "EPSG:{SRS}"\n')
+    toml = f'[survey]\nname = "s"\ncrs = "EPSG:{SRS}"\n[unit]\ntype = "tetrapod"\nheight = {HEIGHT}\n' + "".join(epochs)
+    (tmp_path / "survey.toml").write_text(toml, encoding="utf-8")
+    index_unit_points(read_survey(tmp_path / "survey.toml"), path, Feedback())
+    index = PointIndex(index_folder(path))
+    centre = units[0].centres[0]
+    for label, moved in (("2023-04-09", cloud), ("2024-04-09", cloud + shift)):
+        found = index.read(label, centre, 1.5)
+        inside = moved[np.all(np.abs(moved - centre) <= 1.5, axis=1)]
+        assert len(found) == len(inside) > 5
+        np.testing.assert_allclose(found[np.lexsort(np.round(found, 3).T)], inside[np.lexsort(np.round(inside, 3).T)], atol=1e-3)
+
+
+def test_survey_of_another_result_is_refused(tmp_path: Path, repository: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    write_result(path, epochs=2, units=stable_units(2))
+    with pytest.raises(InputError, match="has no epoch 2024-10-09"):
+        index_unit_points(read_survey(repository / "tests/data/tiny/survey.toml"), path, Feedback())
+
+
+def test_transformation_survives_the_record() -> None:
+    assert transformation_of({}) is None
+    given = Transformation(np.ones(3), 2 * np.ones(3), np.full(3, 0.1), rotation_of_quaternion([0, 0, 0.1, 1]), 1.0001, np.eye(7))
+    found = transformation_of(given.as_record())
+    points = np.random.default_rng(0).uniform(0, 50, (10, 3))
+    np.testing.assert_allclose(found.apply(points), given.apply(points), atol=1e-9)
+    with pytest.raises(InputError, match="without 'scale'"):
+        transformation_of({name: value for name, value in given.as_record().items() if name != "scale"})
