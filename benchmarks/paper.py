@@ -466,8 +466,8 @@ def pictures(folder: Path, results: dict[str, Any]) -> None:
         figure = plt.figure(figsize=shape[:2])
         axes = figure.add_subplot(projection="3d")
         if over is not None:
-            axes.scatter(*over.T, s=0.4, c="#b8bcc2", linewidths=0, depthshade=False)
-        axes.scatter(*points.T, s=size, c=colour, linewidths=0, depthshade=False)
+            axes.scatter(*over.T, s=0.4, c="#b8bcc2", linewidths=0, depthshade=False, clip_on=False)
+        axes.scatter(*points.T, s=size, c=colour, linewidths=0, depthshade=False, clip_on=False)
         axes.set_box_aspect(np.ptp(points if over is None else over, axis=0), zoom=shape[2])
         axes.view_init(*view)
         axes.set_xlabel("x (m)")

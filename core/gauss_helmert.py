@@ -35,7 +35,7 @@ FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 PARAMETERS = ("e", "n", "h", "omega_e", "omega_n", "omega_h", "r", "c")
-FULL_WEIGHT, NO_WEIGHT = 2.5, 5.0
+FULL_WEIGHT, NO_WEIGHT = 2.5, 4.5
 """Standardised residuals up to which a point has full weight and from which it has none, with a biweight between (a three-part
 redescending function after Hampel): 99 % efficient for normal noise and fully for bounded noise, where the plain biweight loses 8 %."""
 SCALE_NARROWING = 0.8
