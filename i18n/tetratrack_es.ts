@@ -1551,7 +1551,7 @@
     <message>
       <location filename="../plugin/review_dock.py" />
       <source>Detection limit</source>
-      <translation type="unfinished" />
+      <translation>Límite de detección</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1931,7 +1931,7 @@
     <message>
       <location filename="../plugin/review_plots.py" />
       <source>detection limit</source>
-      <translation type="unfinished" />
+      <translation>límite de detección</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
-      <source>inspect on site</source>
-      <translation>inspeccionar en el lugar</translation>
+      <source>inspect</source>
+      <translation>inspeccionar</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2096,407 +2096,412 @@
     <message>
       <location filename="../core/section_check.html" />
       <source>Comparison with surveyed check points</source>
-      <translation type="unfinished" />
+      <translation>Comparación con los puntos de comprobación medidos</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Picked by hand (cm)</source>
-      <translation type="unfinished" />
+      <translation>Señalado a mano (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Fitting (cm)</source>
-      <translation type="unfinished" />
+      <translation>Ajuste (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Surveyed (cm)</source>
-      <translation type="unfinished" />
+      <translation>Medido (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Error, picked (cm)</source>
-      <translation type="unfinished" />
+      <translation>Error, señalado (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Error, fitting (cm)</source>
-      <translation type="unfinished" />
+      <translation>Error, ajuste (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>3D displacements of the same feature point, in the control frame (after Chan and Lichti, Table 1).</source>
-      <translation type="unfinished" />
+      <translation>Desplazamientos 3D del mismo punto característico, en el sistema de control (según Chan and Lichti, tabla 1).</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>The survey has no check points that both epochs share.</source>
-      <translation type="unfinished" />
+      <translation>El levantamiento no tiene puntos de comprobación comunes a ambas épocas.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Survey control</source>
-      <translation type="unfinished" />
+      <translation>Control topográfico</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Congruence of the stable units</source>
-      <translation type="unfinished" />
+      <translation>Congruencia de las piezas estables</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Units that stand still together: {stable} of {all}; test of their congruence: p {p}.</source>
-      <translation type="unfinished" />
+      <translation>Piezas inmóviles en conjunto: {stable} de {all}; prueba de su congruencia: p {p}.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Their common motion against the control points: east {e}, north {n}, up {h} cm; p {p}.</source>
-      <translation type="unfinished" />
+      <translation>Su movimiento común respecto a los puntos de control: este {e}, norte {n}, arriba {h} cm; p {p}.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Point</source>
-      <translation type="unfinished" />
+      <translation>Punto</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>East (mm)</source>
-      <translation type="unfinished" />
+      <translation>Este (mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>North (mm)</source>
-      <translation type="unfinished" />
+      <translation>Norte (mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Height (mm)</source>
-      <translation type="unfinished" />
+      <translation>Altura (mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Use</source>
-      <translation type="unfinished" />
+      <translation>Uso</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>disturbed, left out</source>
-      <translation type="unfinished" />
+      <translation>perturbado, omitido</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Residuals of the registration; w is the largest normalised residual of the three coordinates.</source>
-      <translation type="unfinished" />
+      <translation>Residuos del registro; w es el mayor residuo normalizado de las tres coordenadas.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>There is no survey control: displacements are relative to the frame of the clouds.</source>
-      <translation type="unfinished" />
+      <translation>No hay control topográfico: los desplazamientos se refieren al sistema de las nubes.</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Damage</source>
-      <translation type="unfinished" />
+      <translation>Daños</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>H = {height} m, Dn = {diameter} m. Lost and relocated units count as displaced by every threshold.</source>
-      <translation type="unfinished" />
+      <translation>H = {height} m, Dn = {diameter} m. Las piezas perdidas y arrastradas cuentan como desplazadas en todos los umbrales.</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Displaced by at least</source>
-      <translation type="unfinished" />
+      <translation>Desplazada al menos</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Threshold (m)</source>
-      <translation type="unfinished" />
+      <translation>Umbral (m)</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Share</source>
-      <translation type="unfinished" />
+      <translation>Parte</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>over {width} m: units displaced by one Dn or more, relocated or lost, per Dn of width (van der Meer, 1988).</source>
-      <translation type="unfinished" />
+      <translation>en {width} m: piezas desplazadas un Dn o más, arrastradas o perdidas, por Dn de ancho (van der Meer, 1988).</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Sections along the axis</source>
-      <translation type="unfinished" />
+      <translation>Secciones a lo largo del eje</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Share of displaced units per section</source>
-      <translation type="unfinished" />
+      <translation>Parte de piezas desplazadas por sección</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Chainage (m)</source>
-      <translation type="unfinished" />
+      <translation>Progresiva (m)</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>No unit has a displacement to show.</source>
-      <translation type="unfinished" />
+      <translation>Ninguna pieza tiene desplazamiento que mostrar.</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Decisions and corrections</source>
-      <translation type="unfinished" />
+      <translation>Decisiones y correcciones</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Confirmed by</source>
-      <translation type="unfinished" />
+      <translation>Confirmado por</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Comment</source>
-      <translation type="unfinished" />
+      <translation>Comentario</translation>
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>inspect on site</source>
+      <translation>inspeccionar en el lugar</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>No reviewer has decided on this epoch pair.</source>
-      <translation type="unfinished" />
+      <translation>Ningún revisor ha decidido sobre este par de épocas.</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Correction</source>
-      <translation type="unfinished" />
+      <translation>Corrección</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>By</source>
-      <translation type="unfinished" />
+      <translation>Por</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Map of displacements</source>
-      <translation type="unfinished" />
+      <translation>Mapa de desplazamientos</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Displacement of the units' centres.</source>
-      <translation type="unfinished" />
+      <translation>Desplazamiento de los centros de las piezas.</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Histogram of displacements</source>
-      <translation type="unfinished" />
+      <translation>Histograma de desplazamientos</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Displacements of all units with the thresholds of the next section.</source>
-      <translation type="unfinished" />
+      <translation>Desplazamientos de todas las piezas con los umbrales de la sección siguiente.</translation>
     </message>
     <message>
       <location filename="../core/section_map.html" />
       <source>Map of the units by class</source>
-      <translation type="unfinished" />
+      <translation>Mapa de las piezas por clase</translation>
     </message>
     <message>
       <location filename="../core/section_map.html" />
       <source>Units by class and control points; coordinates in {crs}.</source>
-      <translation type="unfinished" />
+      <translation>Piezas por clase y puntos de control; coordenadas en {crs}.</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Method, settings and versions</source>
-      <translation type="unfinished" />
+      <translation>Método, ajustes y versiones</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Units are found in the point cloud as four cones with a common centre, adjusted to their points (Gauss-Helmert model), and brought into the frame of the survey control; displacements are differences of the feature points that follow from the adjusted model, tested against their covariance (after Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</source>
-      <translation type="unfinished" />
+      <translation>Las piezas se encuentran en la nube de puntos como cuatro conos con un centro común, se ajustan a sus puntos (modelo de Gauss-Helmert) y se llevan al sistema de control; los desplazamientos son diferencias de los puntos característicos del modelo ajustado, probadas frente a su covarianza (según Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Time</source>
-      <translation type="unfinished" />
+      <translation>Hora</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>σ0 of the registration</source>
-      <translation type="unfinished" />
+      <translation>σ0 del registro</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Software</source>
-      <translation type="unfinished" />
+      <translation>Programa</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Settings</source>
-      <translation type="unfinished" />
+      <translation>Ajustes</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Written {moment} by {software}.</source>
-      <translation type="unfinished" />
+      <translation>Escrito el {moment} por {software}.</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Summary</source>
-      <translation type="unfinished" />
+      <translation>Resumen</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units judged</source>
-      <translation type="unfinished" />
+      <translation>Piezas evaluadas</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Significant displacements</source>
-      <translation type="unfinished" />
+      <translation>Desplazamientos significativos</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Lost</source>
-      <translation type="unfinished" />
+      <translation>Perdidas</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Relocated</source>
-      <translation type="unfinished" />
+      <translation>Arrastradas</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>New</source>
-      <translation type="unfinished" />
+      <translation>Nuevas</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Not seen in the later epoch</source>
-      <translation type="unfinished" />
+      <translation>No vistas en la época posterior</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Displaced by 5 cm or more</source>
-      <translation type="unfinished" />
+      <translation>Desplazadas 5 cm o más</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Displaced by 10 cm or more</source>
-      <translation type="unfinished" />
+      <translation>Desplazadas 10 cm o más</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Decided by reviewers</source>
-      <translation type="unfinished" />
+      <translation>Decididas por revisores</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Rejected by reviewers</source>
-      <translation type="unfinished" />
+      <translation>Rechazadas por revisores</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units known to be missing</source>
-      <translation type="unfinished" />
+      <translation>Piezas que se sabe que faltan</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Completeness</source>
-      <translation type="unfinished" />
+      <translation>Completitud</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units rejected by reviewers and left out of all figures, maps and tables below: {count}.</source>
-      <translation type="unfinished" />
+      <translation>Piezas rechazadas por revisores y excluidas de todas las cifras, mapas y tablas siguientes: {count}.</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units that no reviewer has decided on yet: {count}.</source>
-      <translation type="unfinished" />
+      <translation>Piezas sobre las que aún no ha decidido ningún revisor: {count}.</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Units with the largest displacements</source>
-      <translation type="unfinished" />
+      <translation>Piezas con mayores desplazamientos</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>East {e}, north {n}, up {h} cm; rotation {turn}; p {p}</source>
-      <translation type="unfinished" />
+      <translation>Este {e}, norte {n}, arriba {h} cm; giro {turn}; p {p}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Plan and section of {unit}</source>
-      <translation type="unfinished" />
+      <translation>Planta y sección de {unit}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Series of {unit}</source>
-      <translation type="unfinished" />
+      <translation>Serie de {unit}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>No displacement is significant.</source>
-      <translation type="unfinished" />
+      <translation>Ningún desplazamiento es significativo.</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>control used</source>
-      <translation type="unfinished" />
+      <translation>control usado</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>control not used</source>
-      <translation type="unfinished" />
+      <translation>control no usado</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>arrows: significant horizontal displacements, enlarged {scale} times</source>
-      <translation type="unfinished" />
+      <translation>flechas: desplazamientos horizontales significativos, ampliados {scale} veces</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>3D displacement (cm)</source>
-      <translation type="unfinished" />
+      <translation>Desplazamiento 3D (cm)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>all units</source>
-      <translation type="unfinished" />
+      <translation>todas las piezas</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>units</source>
-      <translation type="unfinished" />
+      <translation>piezas</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>plan</source>
-      <translation type="unfinished" />
+      <translation>planta</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>section {azimuth}°</source>
-      <translation type="unfinished" />
+      <translation>sección {azimuth}°</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>chainage along the axis (m)</source>
-      <translation type="unfinished" />
+      <translation>progresiva a lo largo del eje (m)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>units ≥ 10 cm (%)</source>
-      <translation type="unfinished" />
+      <translation>piezas ≥ 10 cm (%)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>easting (m)</source>
-      <translation type="unfinished" />
+      <translation>este (m)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>northing (m)</source>
-      <translation type="unfinished" />
+      <translation>norte (m)</translation>
     </message>
   </context>
 </TS>

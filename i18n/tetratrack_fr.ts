@@ -1551,7 +1551,7 @@
     <message>
       <location filename="../plugin/review_dock.py" />
       <source>Detection limit</source>
-      <translation type="unfinished" />
+      <translation>Limite de détection</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1931,7 +1931,7 @@
     <message>
       <location filename="../plugin/review_plots.py" />
       <source>detection limit</source>
-      <translation type="unfinished" />
+      <translation>limite de détection</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
-      <source>inspect on site</source>
-      <translation>inspecter sur place</translation>
+      <source>inspect</source>
+      <translation>inspecter</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2096,407 +2096,412 @@
     <message>
       <location filename="../core/section_check.html" />
       <source>Comparison with surveyed check points</source>
-      <translation type="unfinished" />
+      <translation>Comparaison avec les points de contrôle levés</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Picked by hand (cm)</source>
-      <translation type="unfinished" />
+      <translation>Pointé à la main (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Fitting (cm)</source>
-      <translation type="unfinished" />
+      <translation>Ajustement (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Surveyed (cm)</source>
-      <translation type="unfinished" />
+      <translation>Levé (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Error, picked (cm)</source>
-      <translation type="unfinished" />
+      <translation>Erreur, pointé (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Error, fitting (cm)</source>
-      <translation type="unfinished" />
+      <translation>Erreur, ajustement (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>3D displacements of the same feature point, in the control frame (after Chan and Lichti, Table 1).</source>
-      <translation type="unfinished" />
+      <translation>Déplacements 3D du même point caractéristique, dans le repère d'appui (d'après Chan and Lichti, tableau 1).</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>The survey has no check points that both epochs share.</source>
-      <translation type="unfinished" />
+      <translation>Le levé n'a pas de points de contrôle communs aux deux époques.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Survey control</source>
-      <translation type="unfinished" />
+      <translation>Appui topographique</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Congruence of the stable units</source>
-      <translation type="unfinished" />
+      <translation>Congruence des blocs stables</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Units that stand still together: {stable} of {all}; test of their congruence: p {p}.</source>
-      <translation type="unfinished" />
+      <translation>Blocs immobiles ensemble : {stable} sur {all} ; test de leur congruence : p {p}.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Their common motion against the control points: east {e}, north {n}, up {h} cm; p {p}.</source>
-      <translation type="unfinished" />
+      <translation>Leur mouvement commun par rapport aux points d'appui : est {e}, nord {n}, haut {h} cm ; p {p}.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Point</source>
-      <translation type="unfinished" />
+      <translation>Point</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>East (mm)</source>
-      <translation type="unfinished" />
+      <translation>Est (mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>North (mm)</source>
-      <translation type="unfinished" />
+      <translation>Nord (mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Height (mm)</source>
-      <translation type="unfinished" />
+      <translation>Altitude (mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Use</source>
-      <translation type="unfinished" />
+      <translation>Emploi</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>disturbed, left out</source>
-      <translation type="unfinished" />
+      <translation>perturbé, écarté</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Residuals of the registration; w is the largest normalised residual of the three coordinates.</source>
-      <translation type="unfinished" />
+      <translation>Résidus du rattachement ; w est le plus grand résidu normalisé des trois coordonnées.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>There is no survey control: displacements are relative to the frame of the clouds.</source>
-      <translation type="unfinished" />
+      <translation>Il n'y a pas d'appui : les déplacements se rapportent au repère des nuages.</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Damage</source>
-      <translation type="unfinished" />
+      <translation>Dommages</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>H = {height} m, Dn = {diameter} m. Lost and relocated units count as displaced by every threshold.</source>
-      <translation type="unfinished" />
+      <translation>H = {height} m, Dn = {diameter} m. Les blocs perdus et emportés comptent comme déplacés à tous les seuils.</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Displaced by at least</source>
-      <translation type="unfinished" />
+      <translation>Déplacé d'au moins</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Threshold (m)</source>
-      <translation type="unfinished" />
+      <translation>Seuil (m)</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Share</source>
-      <translation type="unfinished" />
+      <translation>Part</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>over {width} m: units displaced by one Dn or more, relocated or lost, per Dn of width (van der Meer, 1988).</source>
-      <translation type="unfinished" />
+      <translation>sur {width} m : blocs déplacés d'un Dn ou plus, emportés ou perdus, par Dn de largeur (van der Meer, 1988).</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Sections along the axis</source>
-      <translation type="unfinished" />
+      <translation>Sections le long de l'axe</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Share of displaced units per section</source>
-      <translation type="unfinished" />
+      <translation>Part de blocs déplacés par section</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Chainage (m)</source>
-      <translation type="unfinished" />
+      <translation>Abscisse (m)</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>No unit has a displacement to show.</source>
-      <translation type="unfinished" />
+      <translation>Aucun bloc n'a de déplacement à montrer.</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Decisions and corrections</source>
-      <translation type="unfinished" />
+      <translation>Décisions et corrections</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Confirmed by</source>
-      <translation type="unfinished" />
+      <translation>Confirmé par</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Comment</source>
-      <translation type="unfinished" />
+      <translation>Commentaire</translation>
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>inspect on site</source>
+      <translation>inspecter sur place</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>No reviewer has decided on this epoch pair.</source>
-      <translation type="unfinished" />
+      <translation>Aucun vérificateur n'a décidé de cette paire d'époques.</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Correction</source>
-      <translation type="unfinished" />
+      <translation>Correction</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>By</source>
-      <translation type="unfinished" />
+      <translation>Par</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Map of displacements</source>
-      <translation type="unfinished" />
+      <translation>Carte des déplacements</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Displacement of the units' centres.</source>
-      <translation type="unfinished" />
+      <translation>Déplacement des centres des blocs.</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Histogram of displacements</source>
-      <translation type="unfinished" />
+      <translation>Histogramme des déplacements</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Displacements of all units with the thresholds of the next section.</source>
-      <translation type="unfinished" />
+      <translation>Déplacements de tous les blocs avec les seuils de la section suivante.</translation>
     </message>
     <message>
       <location filename="../core/section_map.html" />
       <source>Map of the units by class</source>
-      <translation type="unfinished" />
+      <translation>Carte des blocs par classe</translation>
     </message>
     <message>
       <location filename="../core/section_map.html" />
       <source>Units by class and control points; coordinates in {crs}.</source>
-      <translation type="unfinished" />
+      <translation>Blocs par classe et points d'appui ; coordonnées en {crs}.</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Method, settings and versions</source>
-      <translation type="unfinished" />
+      <translation>Méthode, réglages et versions</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Units are found in the point cloud as four cones with a common centre, adjusted to their points (Gauss-Helmert model), and brought into the frame of the survey control; displacements are differences of the feature points that follow from the adjusted model, tested against their covariance (after Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</source>
-      <translation type="unfinished" />
+      <translation>Les blocs sont trouvés dans le nuage de points comme quatre cônes de même centre, ajustés à leurs points (modèle de Gauss-Helmert) et amenés dans le repère d'appui ; les déplacements sont des différences des points caractéristiques tirés du modèle ajusté, testées contre leur covariance (d'après Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Time</source>
-      <translation type="unfinished" />
+      <translation>Heure</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>σ0 of the registration</source>
-      <translation type="unfinished" />
+      <translation>σ0 du rattachement</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Software</source>
-      <translation type="unfinished" />
+      <translation>Logiciel</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Settings</source>
-      <translation type="unfinished" />
+      <translation>Réglages</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Written {moment} by {software}.</source>
-      <translation type="unfinished" />
+      <translation>Écrit le {moment} par {software}.</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Summary</source>
-      <translation type="unfinished" />
+      <translation>Résumé</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units judged</source>
-      <translation type="unfinished" />
+      <translation>Blocs jugés</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Significant displacements</source>
-      <translation type="unfinished" />
+      <translation>Déplacements significatifs</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Lost</source>
-      <translation type="unfinished" />
+      <translation>Perdus</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Relocated</source>
-      <translation type="unfinished" />
+      <translation>Emportés</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>New</source>
-      <translation type="unfinished" />
+      <translation>Nouveaux</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Not seen in the later epoch</source>
-      <translation type="unfinished" />
+      <translation>Non vus à l'époque postérieure</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Displaced by 5 cm or more</source>
-      <translation type="unfinished" />
+      <translation>Déplacés de 5 cm ou plus</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Displaced by 10 cm or more</source>
-      <translation type="unfinished" />
+      <translation>Déplacés de 10 cm ou plus</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Decided by reviewers</source>
-      <translation type="unfinished" />
+      <translation>Décidés par les vérificateurs</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Rejected by reviewers</source>
-      <translation type="unfinished" />
+      <translation>Rejetés par les vérificateurs</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units known to be missing</source>
-      <translation type="unfinished" />
+      <translation>Blocs que l'on sait manquants</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Completeness</source>
-      <translation type="unfinished" />
+      <translation>Complétude</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units rejected by reviewers and left out of all figures, maps and tables below: {count}.</source>
-      <translation type="unfinished" />
+      <translation>Blocs rejetés par les vérificateurs et exclus de tous les chiffres, cartes et tableaux ci-dessous : {count}.</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units that no reviewer has decided on yet: {count}.</source>
-      <translation type="unfinished" />
+      <translation>Blocs sans décision jusqu'ici : {count}.</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Units with the largest displacements</source>
-      <translation type="unfinished" />
+      <translation>Blocs aux plus grands déplacements</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>East {e}, north {n}, up {h} cm; rotation {turn}; p {p}</source>
-      <translation type="unfinished" />
+      <translation>Est {e}, nord {n}, haut {h} cm ; rotation {turn} ; p {p}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Plan and section of {unit}</source>
-      <translation type="unfinished" />
+      <translation>Plan et coupe de {unit}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Series of {unit}</source>
-      <translation type="unfinished" />
+      <translation>Série de {unit}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>No displacement is significant.</source>
-      <translation type="unfinished" />
+      <translation>Aucun déplacement n'est significatif.</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>control used</source>
-      <translation type="unfinished" />
+      <translation>appui utilisé</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>control not used</source>
-      <translation type="unfinished" />
+      <translation>appui non utilisé</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>arrows: significant horizontal displacements, enlarged {scale} times</source>
-      <translation type="unfinished" />
+      <translation>flèches : déplacements horizontaux significatifs, agrandis {scale} fois</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>3D displacement (cm)</source>
-      <translation type="unfinished" />
+      <translation>Déplacement 3D (cm)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>all units</source>
-      <translation type="unfinished" />
+      <translation>tous les blocs</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>units</source>
-      <translation type="unfinished" />
+      <translation>blocs</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>plan</source>
-      <translation type="unfinished" />
+      <translation>plan</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>section {azimuth}°</source>
-      <translation type="unfinished" />
+      <translation>coupe {azimuth}°</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>chainage along the axis (m)</source>
-      <translation type="unfinished" />
+      <translation>abscisse le long de l'axe (m)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>units ≥ 10 cm (%)</source>
-      <translation type="unfinished" />
+      <translation>blocs ≥ 10 cm (%)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>easting (m)</source>
-      <translation type="unfinished" />
+      <translation>est (m)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>northing (m)</source>
-      <translation type="unfinished" />
+      <translation>nord (m)</translation>
     </message>
   </context>
 </TS>

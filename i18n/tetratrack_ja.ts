@@ -511,7 +511,7 @@
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
       <source>Epochs</source>
-      <translation>時期の数</translation>
+      <translation>時期</translation>
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
@@ -1551,7 +1551,7 @@
     <message>
       <location filename="../plugin/review_dock.py" />
       <source>Detection limit</source>
-      <translation type="unfinished" />
+      <translation>検出限界</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1931,7 +1931,7 @@
     <message>
       <location filename="../plugin/review_plots.py" />
       <source>detection limit</source>
-      <translation type="unfinished" />
+      <translation>検出限界</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
-      <source>inspect on site</source>
-      <translation>現地で点検</translation>
+      <source>inspect</source>
+      <translation>点検</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2096,407 +2096,412 @@
     <message>
       <location filename="../core/section_check.html" />
       <source>Comparison with surveyed check points</source>
-      <translation type="unfinished" />
+      <translation>測量した検証点との比較</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Picked by hand (cm)</source>
-      <translation type="unfinished" />
+      <translation>手動読み取り(cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Fitting (cm)</source>
-      <translation type="unfinished" />
+      <translation>当てはめ(cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Surveyed (cm)</source>
-      <translation type="unfinished" />
+      <translation>測量値(cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Error, picked (cm)</source>
-      <translation type="unfinished" />
+      <translation>誤差、手動(cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Error, fitting (cm)</source>
-      <translation type="unfinished" />
+      <translation>誤差、当てはめ(cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>3D displacements of the same feature point, in the control frame (after Chan and Lichti, Table 1).</source>
-      <translation type="unfinished" />
+      <translation>同じ特徴点の3D変位、基準点系(Chan and Lichti の表1による)。</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>The survey has no check points that both epochs share.</source>
-      <translation type="unfinished" />
+      <translation>両時期に共通する検証点がありません。</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Survey control</source>
-      <translation type="unfinished" />
+      <translation>測量の基準点</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Congruence of the stable units</source>
-      <translation type="unfinished" />
+      <translation>安定ブロックの合同性</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Units that stand still together: {stable} of {all}; test of their congruence: p {p}.</source>
-      <translation type="unfinished" />
+      <translation>共に静止しているブロック:{all} 個中 {stable} 個。合同検定:p {p}。</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Their common motion against the control points: east {e}, north {n}, up {h} cm; p {p}.</source>
-      <translation type="unfinished" />
+      <translation>基準点に対する共通の動き:東 {e}、北 {n}、上 {h} cm、p {p}。</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Point</source>
-      <translation type="unfinished" />
+      <translation>点</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>East (mm)</source>
-      <translation type="unfinished" />
+      <translation>東(mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>North (mm)</source>
-      <translation type="unfinished" />
+      <translation>北(mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Height (mm)</source>
-      <translation type="unfinished" />
+      <translation>高さ(mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Use</source>
-      <translation type="unfinished" />
+      <translation>使用</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>disturbed, left out</source>
-      <translation type="unfinished" />
+      <translation>乱れあり、除外</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Residuals of the registration; w is the largest normalised residual of the three coordinates.</source>
-      <translation type="unfinished" />
+      <translation>登録の残差。w は3座標の標準化残差の最大値。</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>There is no survey control: displacements are relative to the frame of the clouds.</source>
-      <translation type="unfinished" />
+      <translation>基準点がないため、変位は点群の座標系に対するものです。</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Damage</source>
-      <translation type="unfinished" />
+      <translation>被災</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>H = {height} m, Dn = {diameter} m. Lost and relocated units count as displaced by every threshold.</source>
-      <translation type="unfinished" />
+      <translation>H = {height} m、Dn = {diameter} m。消失・移設のブロックはすべてのしきい値で変位とみなす。</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Displaced by at least</source>
-      <translation type="unfinished" />
+      <translation>次以上変位</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Threshold (m)</source>
-      <translation type="unfinished" />
+      <translation>しきい値(m)</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Share</source>
-      <translation type="unfinished" />
+      <translation>割合</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>over {width} m: units displaced by one Dn or more, relocated or lost, per Dn of width (van der Meer, 1988).</source>
-      <translation type="unfinished" />
+      <translation>{width} m あたり:1 Dn 以上の変位、移設、消失のブロック数、幅 Dn あたり(van der Meer, 1988)。</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Sections along the axis</source>
-      <translation type="unfinished" />
+      <translation>軸に沿った区間</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Share of displaced units per section</source>
-      <translation type="unfinished" />
+      <translation>区間ごとの変位ブロックの割合</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Chainage (m)</source>
-      <translation type="unfinished" />
+      <translation>測点距離(m)</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>No unit has a displacement to show.</source>
-      <translation type="unfinished" />
+      <translation>変位を示せるブロックがありません。</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Decisions and corrections</source>
-      <translation type="unfinished" />
+      <translation>判定と修正</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Confirmed by</source>
-      <translation type="unfinished" />
+      <translation>確認者</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Comment</source>
-      <translation type="unfinished" />
+      <translation>コメント</translation>
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>inspect on site</source>
+      <translation>現地で点検</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>No reviewer has decided on this epoch pair.</source>
-      <translation type="unfinished" />
+      <translation>この時期対を判定した照査者はいません。</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Correction</source>
-      <translation type="unfinished" />
+      <translation>修正</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>By</source>
-      <translation type="unfinished" />
+      <translation>実施者</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Map of displacements</source>
-      <translation type="unfinished" />
+      <translation>変位図</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Displacement of the units' centres.</source>
-      <translation type="unfinished" />
+      <translation>ブロック中心の変位。</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Histogram of displacements</source>
-      <translation type="unfinished" />
+      <translation>変位のヒストグラム</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Displacements of all units with the thresholds of the next section.</source>
-      <translation type="unfinished" />
+      <translation>全ブロックの変位と次節のしきい値。</translation>
     </message>
     <message>
       <location filename="../core/section_map.html" />
       <source>Map of the units by class</source>
-      <translation type="unfinished" />
+      <translation>区分別ブロック図</translation>
     </message>
     <message>
       <location filename="../core/section_map.html" />
       <source>Units by class and control points; coordinates in {crs}.</source>
-      <translation type="unfinished" />
+      <translation>区分別のブロックと基準点。座標系は {crs}。</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Method, settings and versions</source>
-      <translation type="unfinished" />
+      <translation>手法、設定、バージョン</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Units are found in the point cloud as four cones with a common centre, adjusted to their points (Gauss-Helmert model), and brought into the frame of the survey control; displacements are differences of the feature points that follow from the adjusted model, tested against their covariance (after Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</source>
-      <translation type="unfinished" />
+      <translation>ブロックは共通の中心を持つ4つの円錐として点群から見つけ、その点に調整(ガウス・ヘルマートモデル)し、基準点系に移す。変位は調整したモデルから導く特徴点の差であり、共分散に対して検定する(Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds による)。</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Time</source>
-      <translation type="unfinished" />
+      <translation>時刻</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>σ0 of the registration</source>
-      <translation type="unfinished" />
+      <translation>登録の σ0</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Software</source>
-      <translation type="unfinished" />
+      <translation>ソフトウェア</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Settings</source>
-      <translation type="unfinished" />
+      <translation>設定</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Written {moment} by {software}.</source>
-      <translation type="unfinished" />
+      <translation>{moment} に {software} が作成。</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Summary</source>
-      <translation type="unfinished" />
+      <translation>要約</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units judged</source>
-      <translation type="unfinished" />
+      <translation>評価したブロック</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Significant displacements</source>
-      <translation type="unfinished" />
+      <translation>有意な変位</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Lost</source>
-      <translation type="unfinished" />
+      <translation>消失</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Relocated</source>
-      <translation type="unfinished" />
+      <translation>移設</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>New</source>
-      <translation type="unfinished" />
+      <translation>新規</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Not seen in the later epoch</source>
-      <translation type="unfinished" />
+      <translation>後の時期に見えない</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Displaced by 5 cm or more</source>
-      <translation type="unfinished" />
+      <translation>5 cm 以上の変位</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Displaced by 10 cm or more</source>
-      <translation type="unfinished" />
+      <translation>10 cm 以上の変位</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Decided by reviewers</source>
-      <translation type="unfinished" />
+      <translation>照査者が判定</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Rejected by reviewers</source>
-      <translation type="unfinished" />
+      <translation>照査者が棄却</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units known to be missing</source>
-      <translation type="unfinished" />
+      <translation>欠けていると分かっているブロック</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Completeness</source>
-      <translation type="unfinished" />
+      <translation>完全性</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units rejected by reviewers and left out of all figures, maps and tables below: {count}.</source>
-      <translation type="unfinished" />
+      <translation>照査者が棄却し、以下の数値・地図・表から除いたブロック:{count}。</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units that no reviewer has decided on yet: {count}.</source>
-      <translation type="unfinished" />
+      <translation>まだ判定されていないブロック:{count}。</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Units with the largest displacements</source>
-      <translation type="unfinished" />
+      <translation>変位の最も大きいブロック</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>East {e}, north {n}, up {h} cm; rotation {turn}; p {p}</source>
-      <translation type="unfinished" />
+      <translation>東 {e}、北 {n}、上 {h} cm、回転 {turn}、p {p}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Plan and section of {unit}</source>
-      <translation type="unfinished" />
+      <translation>{unit} の平面と断面</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Series of {unit}</source>
-      <translation type="unfinished" />
+      <translation>{unit} の時系列</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>No displacement is significant.</source>
-      <translation type="unfinished" />
+      <translation>有意な変位はありません。</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>control used</source>
-      <translation type="unfinished" />
+      <translation>使用した基準点</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>control not used</source>
-      <translation type="unfinished" />
+      <translation>使用しない基準点</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>arrows: significant horizontal displacements, enlarged {scale} times</source>
-      <translation type="unfinished" />
+      <translation>矢印:有意な水平変位、{scale} 倍に拡大</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>3D displacement (cm)</source>
-      <translation type="unfinished" />
+      <translation>3D変位(cm)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>all units</source>
-      <translation type="unfinished" />
+      <translation>全ブロック</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>units</source>
-      <translation type="unfinished" />
+      <translation>ブロック数</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>plan</source>
-      <translation type="unfinished" />
+      <translation>平面</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>section {azimuth}°</source>
-      <translation type="unfinished" />
+      <translation>断面 {azimuth}°</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>chainage along the axis (m)</source>
-      <translation type="unfinished" />
+      <translation>軸に沿った測点距離(m)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>units ≥ 10 cm (%)</source>
-      <translation type="unfinished" />
+      <translation>10 cm 以上のブロック(%)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>easting (m)</source>
-      <translation type="unfinished" />
+      <translation>東座標(m)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>northing (m)</source>
-      <translation type="unfinished" />
+      <translation>北座標(m)</translation>
     </message>
   </context>
 </TS>

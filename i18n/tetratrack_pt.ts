@@ -1551,7 +1551,7 @@
     <message>
       <location filename="../plugin/review_dock.py" />
       <source>Detection limit</source>
-      <translation type="unfinished" />
+      <translation>Limite de deteção</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1931,7 +1931,7 @@
     <message>
       <location filename="../plugin/review_plots.py" />
       <source>detection limit</source>
-      <translation type="unfinished" />
+      <translation>limite de deteção</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
-      <source>inspect on site</source>
-      <translation>inspecionar no local</translation>
+      <source>inspect</source>
+      <translation>inspecionar</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2096,407 +2096,412 @@
     <message>
       <location filename="../core/section_check.html" />
       <source>Comparison with surveyed check points</source>
-      <translation type="unfinished" />
+      <translation>Comparação com os pontos de verificação medidos</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Picked by hand (cm)</source>
-      <translation type="unfinished" />
+      <translation>Marcado à mão (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Fitting (cm)</source>
-      <translation type="unfinished" />
+      <translation>Ajustamento (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Surveyed (cm)</source>
-      <translation type="unfinished" />
+      <translation>Medido (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Error, picked (cm)</source>
-      <translation type="unfinished" />
+      <translation>Erro, marcado (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Error, fitting (cm)</source>
-      <translation type="unfinished" />
+      <translation>Erro, ajustamento (cm)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>3D displacements of the same feature point, in the control frame (after Chan and Lichti, Table 1).</source>
-      <translation type="unfinished" />
+      <translation>Deslocamentos 3D do mesmo ponto característico, no referencial de apoio (segundo Chan and Lichti, tabela 1).</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>The survey has no check points that both epochs share.</source>
-      <translation type="unfinished" />
+      <translation>O levantamento não tem pontos de verificação comuns às duas épocas.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Survey control</source>
-      <translation type="unfinished" />
+      <translation>Apoio topográfico</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Congruence of the stable units</source>
-      <translation type="unfinished" />
+      <translation>Congruência dos blocos estáveis</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Units that stand still together: {stable} of {all}; test of their congruence: p {p}.</source>
-      <translation type="unfinished" />
+      <translation>Blocos imóveis em conjunto: {stable} de {all}; teste da sua congruência: p {p}.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Their common motion against the control points: east {e}, north {n}, up {h} cm; p {p}.</source>
-      <translation type="unfinished" />
+      <translation>O seu movimento comum face aos pontos de apoio: este {e}, norte {n}, cima {h} cm; p {p}.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Point</source>
-      <translation type="unfinished" />
+      <translation>Ponto</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>East (mm)</source>
-      <translation type="unfinished" />
+      <translation>Este (mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>North (mm)</source>
-      <translation type="unfinished" />
+      <translation>Norte (mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Height (mm)</source>
-      <translation type="unfinished" />
+      <translation>Altitude (mm)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Use</source>
-      <translation type="unfinished" />
+      <translation>Uso</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>disturbed, left out</source>
-      <translation type="unfinished" />
+      <translation>perturbado, omitido</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Residuals of the registration; w is the largest normalised residual of the three coordinates.</source>
-      <translation type="unfinished" />
+      <translation>Resíduos do registo; w é o maior resíduo normalizado das três coordenadas.</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>There is no survey control: displacements are relative to the frame of the clouds.</source>
-      <translation type="unfinished" />
+      <translation>Não há apoio topográfico: os deslocamentos referem-se ao referencial das nuvens.</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Damage</source>
-      <translation type="unfinished" />
+      <translation>Danos</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>H = {height} m, Dn = {diameter} m. Lost and relocated units count as displaced by every threshold.</source>
-      <translation type="unfinished" />
+      <translation>H = {height} m, Dn = {diameter} m. Blocos perdidos e arrastados contam como deslocados em todos os limiares.</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Displaced by at least</source>
-      <translation type="unfinished" />
+      <translation>Deslocado pelo menos</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Threshold (m)</source>
-      <translation type="unfinished" />
+      <translation>Limiar (m)</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Share</source>
-      <translation type="unfinished" />
+      <translation>Parte</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>over {width} m: units displaced by one Dn or more, relocated or lost, per Dn of width (van der Meer, 1988).</source>
-      <translation type="unfinished" />
+      <translation>em {width} m: blocos deslocados um Dn ou mais, arrastados ou perdidos, por Dn de largura (van der Meer, 1988).</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Sections along the axis</source>
-      <translation type="unfinished" />
+      <translation>Secções ao longo do eixo</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Share of displaced units per section</source>
-      <translation type="unfinished" />
+      <translation>Parte de blocos deslocados por secção</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Chainage (m)</source>
-      <translation type="unfinished" />
+      <translation>Distância ao longo do eixo (m)</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>No unit has a displacement to show.</source>
-      <translation type="unfinished" />
+      <translation>Nenhum bloco tem deslocamento para mostrar.</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Decisions and corrections</source>
-      <translation type="unfinished" />
+      <translation>Decisões e correções</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Confirmed by</source>
-      <translation type="unfinished" />
+      <translation>Confirmado por</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Comment</source>
-      <translation type="unfinished" />
+      <translation>Comentário</translation>
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>inspect on site</source>
+      <translation>inspecionar no local</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>No reviewer has decided on this epoch pair.</source>
-      <translation type="unfinished" />
+      <translation>Nenhum revisor decidiu sobre este par de épocas.</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Correction</source>
-      <translation type="unfinished" />
+      <translation>Correção</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>By</source>
-      <translation type="unfinished" />
+      <translation>Por</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Map of displacements</source>
-      <translation type="unfinished" />
+      <translation>Mapa de deslocamentos</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Displacement of the units' centres.</source>
-      <translation type="unfinished" />
+      <translation>Deslocamento dos centros dos blocos.</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Histogram of displacements</source>
-      <translation type="unfinished" />
+      <translation>Histograma de deslocamentos</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Displacements of all units with the thresholds of the next section.</source>
-      <translation type="unfinished" />
+      <translation>Deslocamentos de todos os blocos com os limiares da secção seguinte.</translation>
     </message>
     <message>
       <location filename="../core/section_map.html" />
       <source>Map of the units by class</source>
-      <translation type="unfinished" />
+      <translation>Mapa dos blocos por classe</translation>
     </message>
     <message>
       <location filename="../core/section_map.html" />
       <source>Units by class and control points; coordinates in {crs}.</source>
-      <translation type="unfinished" />
+      <translation>Blocos por classe e pontos de apoio; coordenadas em {crs}.</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Method, settings and versions</source>
-      <translation type="unfinished" />
+      <translation>Método, definições e versões</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Units are found in the point cloud as four cones with a common centre, adjusted to their points (Gauss-Helmert model), and brought into the frame of the survey control; displacements are differences of the feature points that follow from the adjusted model, tested against their covariance (after Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</source>
-      <translation type="unfinished" />
+      <translation>Os blocos são encontrados na nuvem de pontos como quatro cones de centro comum, ajustados aos seus pontos (modelo de Gauss-Helmert) e levados ao referencial de apoio; os deslocamentos são diferenças dos pontos característicos do modelo ajustado, testadas face à sua covariância (segundo Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Time</source>
-      <translation type="unfinished" />
+      <translation>Hora</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>σ0 of the registration</source>
-      <translation type="unfinished" />
+      <translation>σ0 do registo</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Software</source>
-      <translation type="unfinished" />
+      <translation>Programa</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Settings</source>
-      <translation type="unfinished" />
+      <translation>Definições</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Written {moment} by {software}.</source>
-      <translation type="unfinished" />
+      <translation>Escrito em {moment} por {software}.</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Summary</source>
-      <translation type="unfinished" />
+      <translation>Resumo</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units judged</source>
-      <translation type="unfinished" />
+      <translation>Blocos avaliados</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Significant displacements</source>
-      <translation type="unfinished" />
+      <translation>Deslocamentos significativos</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Lost</source>
-      <translation type="unfinished" />
+      <translation>Perdidos</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Relocated</source>
-      <translation type="unfinished" />
+      <translation>Arrastados</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>New</source>
-      <translation type="unfinished" />
+      <translation>Novos</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Not seen in the later epoch</source>
-      <translation type="unfinished" />
+      <translation>Não vistos na época posterior</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Displaced by 5 cm or more</source>
-      <translation type="unfinished" />
+      <translation>Deslocados 5 cm ou mais</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Displaced by 10 cm or more</source>
-      <translation type="unfinished" />
+      <translation>Deslocados 10 cm ou mais</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Decided by reviewers</source>
-      <translation type="unfinished" />
+      <translation>Decididos por revisores</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Rejected by reviewers</source>
-      <translation type="unfinished" />
+      <translation>Rejeitados por revisores</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units known to be missing</source>
-      <translation type="unfinished" />
+      <translation>Blocos que se sabe faltarem</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Completeness</source>
-      <translation type="unfinished" />
+      <translation>Completude</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units rejected by reviewers and left out of all figures, maps and tables below: {count}.</source>
-      <translation type="unfinished" />
+      <translation>Blocos rejeitados por revisores e excluídos de todos os números, mapas e tabelas abaixo: {count}.</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units that no reviewer has decided on yet: {count}.</source>
-      <translation type="unfinished" />
+      <translation>Blocos sobre os quais ainda nenhum revisor decidiu: {count}.</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Units with the largest displacements</source>
-      <translation type="unfinished" />
+      <translation>Blocos com maiores deslocamentos</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>East {e}, north {n}, up {h} cm; rotation {turn}; p {p}</source>
-      <translation type="unfinished" />
+      <translation>Este {e}, norte {n}, cima {h} cm; rotação {turn}; p {p}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Plan and section of {unit}</source>
-      <translation type="unfinished" />
+      <translation>Planta e secção de {unit}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Series of {unit}</source>
-      <translation type="unfinished" />
+      <translation>Série de {unit}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>No displacement is significant.</source>
-      <translation type="unfinished" />
+      <translation>Nenhum deslocamento é significativo.</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>control used</source>
-      <translation type="unfinished" />
+      <translation>apoio usado</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>control not used</source>
-      <translation type="unfinished" />
+      <translation>apoio não usado</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>arrows: significant horizontal displacements, enlarged {scale} times</source>
-      <translation type="unfinished" />
+      <translation>setas: deslocamentos horizontais significativos, ampliados {scale} vezes</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>3D displacement (cm)</source>
-      <translation type="unfinished" />
+      <translation>Deslocamento 3D (cm)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>all units</source>
-      <translation type="unfinished" />
+      <translation>todos os blocos</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>units</source>
-      <translation type="unfinished" />
+      <translation>blocos</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>plan</source>
-      <translation type="unfinished" />
+      <translation>planta</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>section {azimuth}°</source>
-      <translation type="unfinished" />
+      <translation>secção {azimuth}°</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>chainage along the axis (m)</source>
-      <translation type="unfinished" />
+      <translation>distância ao longo do eixo (m)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>units ≥ 10 cm (%)</source>
-      <translation type="unfinished" />
+      <translation>blocos ≥ 10 cm (%)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>easting (m)</source>
-      <translation type="unfinished" />
+      <translation>este (m)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>northing (m)</source>
-      <translation type="unfinished" />
+      <translation>norte (m)</translation>
     </message>
   </context>
 </TS>

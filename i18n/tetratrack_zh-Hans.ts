@@ -511,7 +511,7 @@
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
       <source>Epochs</source>
-      <translation>期次数</translation>
+      <translation>期次</translation>
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
@@ -1551,7 +1551,7 @@
     <message>
       <location filename="../plugin/review_dock.py" />
       <source>Detection limit</source>
-      <translation type="unfinished" />
+      <translation>探测限</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1931,7 +1931,7 @@
     <message>
       <location filename="../plugin/review_plots.py" />
       <source>detection limit</source>
-      <translation type="unfinished" />
+      <translation>探测限</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
-      <source>inspect on site</source>
-      <translation>现场检查</translation>
+      <source>inspect</source>
+      <translation>检查</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2096,407 +2096,412 @@
     <message>
       <location filename="../core/section_check.html" />
       <source>Comparison with surveyed check points</source>
-      <translation type="unfinished" />
+      <translation>与实测检查点比较</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Picked by hand (cm)</source>
-      <translation type="unfinished" />
+      <translation>手工点选(厘米)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Fitting (cm)</source>
-      <translation type="unfinished" />
+      <translation>拟合(厘米)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Surveyed (cm)</source>
-      <translation type="unfinished" />
+      <translation>实测(厘米)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Error, picked (cm)</source>
-      <translation type="unfinished" />
+      <translation>误差,点选(厘米)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>Error, fitting (cm)</source>
-      <translation type="unfinished" />
+      <translation>误差,拟合(厘米)</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>3D displacements of the same feature point, in the control frame (after Chan and Lichti, Table 1).</source>
-      <translation type="unfinished" />
+      <translation>同一特征点的三维位移,控制坐标系(仿 Chan and Lichti 表 1)。</translation>
     </message>
     <message>
       <location filename="../core/section_check.html" />
       <source>The survey has no check points that both epochs share.</source>
-      <translation type="unfinished" />
+      <translation>测量没有两期共有的检查点。</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Survey control</source>
-      <translation type="unfinished" />
+      <translation>测量控制</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Congruence of the stable units</source>
-      <translation type="unfinished" />
+      <translation>稳定块体的叠合性</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Units that stand still together: {stable} of {all}; test of their congruence: p {p}.</source>
-      <translation type="unfinished" />
+      <translation>共同静止的块体:{all} 个中 {stable} 个;叠合检验:p {p}。</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Their common motion against the control points: east {e}, north {n}, up {h} cm; p {p}.</source>
-      <translation type="unfinished" />
+      <translation>它们相对控制点的共同运动:东 {e}、北 {n}、上 {h} 厘米;p {p}。</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Point</source>
-      <translation type="unfinished" />
+      <translation>点</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>East (mm)</source>
-      <translation type="unfinished" />
+      <translation>东(毫米)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>North (mm)</source>
-      <translation type="unfinished" />
+      <translation>北(毫米)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Height (mm)</source>
-      <translation type="unfinished" />
+      <translation>高程(毫米)</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Use</source>
-      <translation type="unfinished" />
+      <translation>使用</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>disturbed, left out</source>
-      <translation type="unfinished" />
+      <translation>受扰动,已剔除</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>Residuals of the registration; w is the largest normalised residual of the three coordinates.</source>
-      <translation type="unfinished" />
+      <translation>配准残差;w 为三个坐标标准化残差的最大值。</translation>
     </message>
     <message>
       <location filename="../core/section_control.html" />
       <source>There is no survey control: displacements are relative to the frame of the clouds.</source>
-      <translation type="unfinished" />
+      <translation>没有测量控制:位移相对于点云的坐标系。</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Damage</source>
-      <translation type="unfinished" />
+      <translation>损坏</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>H = {height} m, Dn = {diameter} m. Lost and relocated units count as displaced by every threshold.</source>
-      <translation type="unfinished" />
+      <translation>H = {height} m,Dn = {diameter} m。消失和移位的块体在每个阈值下都计为位移。</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Displaced by at least</source>
-      <translation type="unfinished" />
+      <translation>位移至少</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Threshold (m)</source>
-      <translation type="unfinished" />
+      <translation>阈值(米)</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Share</source>
-      <translation type="unfinished" />
+      <translation>比例</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>over {width} m: units displaced by one Dn or more, relocated or lost, per Dn of width (van der Meer, 1988).</source>
-      <translation type="unfinished" />
+      <translation>{width} m 范围内:位移一个 Dn 以上、移位或消失的块体数,每 Dn 宽度(van der Meer, 1988)。</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Sections along the axis</source>
-      <translation type="unfinished" />
+      <translation>沿轴线的区段</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Share of displaced units per section</source>
-      <translation type="unfinished" />
+      <translation>各区段位移块体的比例</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>Chainage (m)</source>
-      <translation type="unfinished" />
+      <translation>里程(米)</translation>
     </message>
     <message>
       <location filename="../core/section_damage.html" />
       <source>No unit has a displacement to show.</source>
-      <translation type="unfinished" />
+      <translation>没有块体有可显示的位移。</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Decisions and corrections</source>
-      <translation type="unfinished" />
+      <translation>决定与修正</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Confirmed by</source>
-      <translation type="unfinished" />
+      <translation>确认人</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Comment</source>
-      <translation type="unfinished" />
+      <translation>备注</translation>
+    </message>
+    <message>
+      <location filename="../core/section_decisions.html" />
+      <source>inspect on site</source>
+      <translation>现场检查</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>No reviewer has decided on this epoch pair.</source>
-      <translation type="unfinished" />
+      <translation>尚无审核人对该期对作出决定。</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>Correction</source>
-      <translation type="unfinished" />
+      <translation>修正</translation>
     </message>
     <message>
       <location filename="../core/section_decisions.html" />
       <source>By</source>
-      <translation type="unfinished" />
+      <translation>执行人</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Map of displacements</source>
-      <translation type="unfinished" />
+      <translation>位移图</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Displacement of the units' centres.</source>
-      <translation type="unfinished" />
+      <translation>块体中心的位移。</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Histogram of displacements</source>
-      <translation type="unfinished" />
+      <translation>位移直方图</translation>
     </message>
     <message>
       <location filename="../core/section_displacements.html" />
       <source>Displacements of all units with the thresholds of the next section.</source>
-      <translation type="unfinished" />
+      <translation>所有块体的位移及下一节的阈值。</translation>
     </message>
     <message>
       <location filename="../core/section_map.html" />
       <source>Map of the units by class</source>
-      <translation type="unfinished" />
+      <translation>按类别的块体图</translation>
     </message>
     <message>
       <location filename="../core/section_map.html" />
       <source>Units by class and control points; coordinates in {crs}.</source>
-      <translation type="unfinished" />
+      <translation>按类别的块体和控制点;坐标系 {crs}。</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Method, settings and versions</source>
-      <translation type="unfinished" />
+      <translation>方法、设置和版本</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Units are found in the point cloud as four cones with a common centre, adjusted to their points (Gauss-Helmert model), and brought into the frame of the survey control; displacements are differences of the feature points that follow from the adjusted model, tested against their covariance (after Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</source>
-      <translation type="unfinished" />
+      <translation>在点云中以四个共中心的圆锥找出块体,平差到其点上(高斯-赫尔默特模型),并转到测量控制坐标系;位移是平差模型导出的特征点之差,按其协方差检验(仿 Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds)。</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Time</source>
-      <translation type="unfinished" />
+      <translation>时间</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>σ0 of the registration</source>
-      <translation type="unfinished" />
+      <translation>配准的 σ0</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Software</source>
-      <translation type="unfinished" />
+      <translation>软件</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Settings</source>
-      <translation type="unfinished" />
+      <translation>设置</translation>
     </message>
     <message>
       <location filename="../core/section_method.html" />
       <source>Written {moment} by {software}.</source>
-      <translation type="unfinished" />
+      <translation>由 {software} 写于 {moment}。</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Summary</source>
-      <translation type="unfinished" />
+      <translation>摘要</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units judged</source>
-      <translation type="unfinished" />
+      <translation>已评定的块体</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Significant displacements</source>
-      <translation type="unfinished" />
+      <translation>显著位移</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Lost</source>
-      <translation type="unfinished" />
+      <translation>消失</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Relocated</source>
-      <translation type="unfinished" />
+      <translation>移位</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>New</source>
-      <translation type="unfinished" />
+      <translation>新增</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Not seen in the later epoch</source>
-      <translation type="unfinished" />
+      <translation>后一期不可见</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Displaced by 5 cm or more</source>
-      <translation type="unfinished" />
+      <translation>位移 5 厘米或以上</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Displaced by 10 cm or more</source>
-      <translation type="unfinished" />
+      <translation>位移 10 厘米或以上</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Decided by reviewers</source>
-      <translation type="unfinished" />
+      <translation>审核人已决定</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Rejected by reviewers</source>
-      <translation type="unfinished" />
+      <translation>审核人已否决</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units known to be missing</source>
-      <translation type="unfinished" />
+      <translation>已知缺失的块体</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Completeness</source>
-      <translation type="unfinished" />
+      <translation>完整性</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units rejected by reviewers and left out of all figures, maps and tables below: {count}.</source>
-      <translation type="unfinished" />
+      <translation>被审核人否决并从以下所有数值、地图和表中排除的块体:{count}。</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />
       <source>Units that no reviewer has decided on yet: {count}.</source>
-      <translation type="unfinished" />
+      <translation>尚无审核人决定的块体:{count}。</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Units with the largest displacements</source>
-      <translation type="unfinished" />
+      <translation>位移最大的块体</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>East {e}, north {n}, up {h} cm; rotation {turn}; p {p}</source>
-      <translation type="unfinished" />
+      <translation>东 {e}、北 {n}、上 {h} 厘米;转动 {turn};p {p}</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Plan and section of {unit}</source>
-      <translation type="unfinished" />
+      <translation>{unit} 的平面和剖面</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>Series of {unit}</source>
-      <translation type="unfinished" />
+      <translation>{unit} 的序列</translation>
     </message>
     <message>
       <location filename="../core/section_worst.html" />
       <source>No displacement is significant.</source>
-      <translation type="unfinished" />
+      <translation>没有显著位移。</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>control used</source>
-      <translation type="unfinished" />
+      <translation>已使用的控制点</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>control not used</source>
-      <translation type="unfinished" />
+      <translation>未使用的控制点</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>arrows: significant horizontal displacements, enlarged {scale} times</source>
-      <translation type="unfinished" />
+      <translation>箭头:显著水平位移,放大 {scale} 倍</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>3D displacement (cm)</source>
-      <translation type="unfinished" />
+      <translation>三维位移(厘米)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>all units</source>
-      <translation type="unfinished" />
+      <translation>所有块体</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>units</source>
-      <translation type="unfinished" />
+      <translation>块体数</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>plan</source>
-      <translation type="unfinished" />
+      <translation>平面</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>section {azimuth}°</source>
-      <translation type="unfinished" />
+      <translation>剖面 {azimuth}°</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>chainage along the axis (m)</source>
-      <translation type="unfinished" />
+      <translation>沿轴线里程(米)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>units ≥ 10 cm (%)</source>
-      <translation type="unfinished" />
+      <translation>≥ 10 厘米的块体(%)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>easting (m)</source>
-      <translation type="unfinished" />
+      <translation>东坐标(米)</translation>
     </message>
     <message>
       <location filename="../core/report_figures.py" />
       <source>northing (m)</source>
-      <translation type="unfinished" />
+      <translation>北坐标(米)</translation>
     </message>
   </context>
 </TS>
