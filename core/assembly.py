@@ -71,10 +71,10 @@ def poses_from_single_legs(
     if not len(legs.axis):
         return np.zeros((0, 12))
     reach = np.clip(2.5 * legs.centre_sd, 0.06 * unit.height, 0.24 * unit.height)
-    return _twist_search(
+    return np.asarray(_twist_search(
         legs.axis, legs.centre, reach, points, active, grid.start, grid.order, grid.origin, grid.size, grid.cell,
         unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance,
-    )  # fmt: skip
+    ))  # fmt: skip
 
 
 def refine(
@@ -83,8 +83,8 @@ def refine(
 ) -> FloatArray:  # fmt: skip
     """Robust least squares of each (12,) pose to the active points around it, tolerance narrowing from 4 to 1.5 times."""
     out = poses.copy()
-    shape = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance)
-    cells = (grid.start, grid.order, grid.origin, grid.size, grid.cell)
+    shape: tuple[Any, ...] = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance)
+    cells: tuple[Any, ...] = (grid.start, grid.order, grid.origin, grid.size, grid.cell)
     if len(out) > 4:
         _refine_many(out, points, normals, active, *cells, *shape, most, sweeps)
     else:
@@ -100,13 +100,14 @@ def evidence(
     """What the points say about each pose: (k, 7) with columns SUPPORT, CLOSE, INSIDE, CELLS, LEGS, RMS, REACHED.
 
     SUPPORT counts active points on the surface whose normal agrees, CLOSE all active points on the surface, INSIDE points
-    (active or not) deep within the solid but for the outer part of one leg, which may be broken off, CELLS the surface cells (of 132) holding support, LEGS legs with at least two such cells,
-    RMS the misfit of the support in metres, REACHED the active points near the unit.
+    (active or not) deep within the solid but for the outer part of one leg, which may be broken off, CELLS the surface cells
+    (of 132) holding support, LEGS legs with at least two such cells, RMS the misfit of the support in metres, REACHED the active
+    points near the unit.
     """
-    shape = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance)
-    cells = (grid.start, grid.order, grid.origin, grid.size, grid.cell)
+    shape: tuple[Any, ...] = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance)
+    cells: tuple[Any, ...] = (grid.start, grid.order, grid.origin, grid.size, grid.cell)
     if len(poses) > 4:
-        return _evidence_of_many(poses, points, normals, sign, active, *cells, *shape)
+        return np.asarray(_evidence_of_many(poses, points, normals, sign, active, *cells, *shape))
     table = np.zeros((len(poses), 7))
     for pose, row in zip(poses, table, strict=True):
         _evidence_of_one(row, pose, points, normals, sign, active, *cells, *shape)
@@ -369,7 +370,9 @@ def _evidence_of_one(
                 agree = nx * (pose[3] * normals[q, 0] + pose[6] * normals[q, 1] + pose[9] * normals[q, 2])
                 agree += ny * (pose[4] * normals[q, 0] + pose[7] * normals[q, 1] + pose[10] * normals[q, 2])
                 agree += nz * (pose[5] * normals[q, 0] + pose[8] * normals[q, 1] + pose[11] * normals[q, 2])
-                if not (agree > 0.85 or (sign[q] == 0 and agree < -0.85)):
+                # near the joints the creases are concave, and the sense of curvature tells nothing
+                unsigned = sign[q] == 0 or axial < 0.45 * length
+                if not (agree > 0.85 or (unsigned and agree < -0.85)):
                     continue
                 out[0] += 1
                 squares += dist * dist

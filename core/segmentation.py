@@ -40,10 +40,10 @@ FOUND_SCORE = 0.65
 """Units of at least this score are stated as found; the others are kept as uncertain."""
 CLEARANCE_IN_NOISE = 2.0
 """Points are used where no other unit's surface comes nearer than this multiple of the noise."""
-LISTED_SCORE = 0.1
+LISTED_SCORE = 0.05
 """Poses of a lower score are chance alignments of rock, wall and water and are not reported at all."""
-SCORE_WEIGHTS = (2.49, 2.85, -0.72, -1.31, -1.47, 0.65)
-SCORE_INTERCEPT = -7.58
+SCORE_WEIGHTS = (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)
+SCORE_INTERCEPT = -4.48
 WORTH_ANOTHER_PASS = 0.3
 """Score a pass must reach with at least one unit for the remaining points to be searched again."""
 MOST_INTERPENETRATION = 0.01
@@ -154,12 +154,16 @@ def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, un
     table = np.zeros((len(poses), 7))
     for _ in range(2):
         owner, _ = assign(elements.points, poses, unit, 2.5 * tolerance)
+        clear, _ = assign(elements.points, poses, unit, 2.5 * tolerance, clearance=CLEARANCE_IN_NOISE * elements.element_noise)
+        contested = clear != owner
         for k in range(len(poses)):
             own = (owner == k) | (owner < 0)
-            poses[k] = refine(poses[k : k + 1], elements.points, elements.normals, own, grid, unit, tolerance, most=1500, sweeps=20)[0]
+            poses[k] = refine(
+                poses[k : k + 1], elements.points, elements.normals, own & ~contested, grid, unit, tolerance, most=1500, sweeps=20
+            )[0]
             table[k] = evidence(poses[k : k + 1], elements.points, elements.normals, sign, own, grid, unit, tolerance)[0]
     certainty = np.ones(len(poses))
-    for k in np.flatnonzero(table[:, LEGS] <= 2):
+    for k in map(int, np.flatnonzero(table[:, LEGS] <= 2)):
         own = (owner == k) | (owner < 0)
         rival = _best_rival(poses[k], np.delete(poses, k, axis=0), elements, own, grid, unit, tolerance)
         certainty[k] = np.clip((1 - rival / max(worth(table[k]), 1e-9)) / RIVAL_MARGIN, 0, 1)
@@ -233,20 +237,24 @@ def _typical_misfit(table: FloatArray) -> float:
 def score(row: FloatArray, tolerance: float, typical: float) -> float:
     """Probability, 0..1, that the evidence row is that of a real unit in its true pose.
 
-    A logistic model of: odds that an element near the surface lies on it, odds that its normal agrees, elements inside the
-    solid, misfit against what is typical of this cloud and against the tolerance, and number of surface cells. Its weights were
-    fitted to simulated piles, rock and laboratory scenes (``benchmarks/score_calibration.py``), never to a real survey.
+    A logistic model of: odds that an element near the surface lies on it and odds that its normal agrees, both the more telling
+    the more surface cells they come from; elements inside the solid; misfit against what is typical of this cloud and against the
+    tolerance. Its weights were fitted to simulated piles, rock and laboratory scenes (``benchmarks/score_calibration.py``), never
+    to a real survey.
     """
     close = row[CLOSE]
     if close < 1:
         return 0.0
     # two per cent of disagreement is always allowed for, so that the odds stay finite
+    on_surface = np.log((close + 1) / (row[REACHED] - close + 1 + 0.02 * close))
+    agreeing = np.log((row[SUPPORT] + 1) / (close - row[SUPPORT] + 1 + 0.02 * close))
+    extent = np.log1p(row[CELLS])
     features = (
-        np.log((close + 1) / (row[REACHED] - close + 1 + 0.02 * close)),
-        np.log((row[SUPPORT] + 1) / (close - row[SUPPORT] + 1 + 0.02 * close)),
-        np.log1p(row[INSIDE]),
+        extent * on_surface,
+        extent * agreeing,
+        np.log1p(row[INSIDE] / (0.01 * close + 1)),
         min(row[RMS] / max(typical, 1e-12), 4.0),
         row[RMS] / tolerance,
-        np.log1p(row[CELLS]),
+        extent,
     )
     return float(1 / (1 + np.exp(-(SCORE_INTERCEPT + np.dot(SCORE_WEIGHTS, features)))))

@@ -72,7 +72,9 @@ def relate(body_points: ArrayLike, unit: UnitType) -> SurfaceRelation:
     return SurfaceRelation(distance, leg.astype(np.int64), np.where(on_end, END_DISC, LATERAL).astype(np.int64), axial, normal)
 
 
-def sample_surface(unit: UnitType, count: int, rng: np.random.Generator, *, end_discs: bool = True) -> tuple[FloatArray, FloatArray, IntArray]:
+def sample_surface(
+    unit: UnitType, count: int, rng: np.random.Generator, *, end_discs: bool = True
+) -> tuple[FloatArray, FloatArray, IntArray]:
     """Draw ``count`` points uniformly over the outer surface.
 
     Returns
@@ -123,7 +125,7 @@ def surface_cells(unit: UnitType, count: int = 400) -> tuple[FloatArray, FloatAr
     _, owner = cKDTree(centres).query(dense)
     area = np.bincount(owner, minlength=count) * (surface_area(unit) / len(dense))
     chosen = cKDTree(dense).query(centres)[1]
-    return centres, normals[chosen], area
+    return centres, np.asarray(normals[chosen]), np.asarray(area)
 
 
 def surface_area(unit: UnitType) -> float:
