@@ -16,7 +16,7 @@ check() { # check "what" "how to mend it" command...
 
 setup_qgis() {
     step "QGIS from Debian backports" "run: apt-get install -t bookworm-backports qgis python3-qgis xvfb xauth"
-    if ! installed qgis python3-qgis xvfb xauth python3-venv; then
+    if ! installed qgis python3-qgis xvfb xauth python3-venv qttools5-dev-tools; then
         if ! apt-cache policy qgis 2>/dev/null | grep -q backports; then
             # the mirror this machine uses already, whichever it is
             local mirror
@@ -24,7 +24,7 @@ setup_qgis() {
             echo "deb $mirror bookworm-backports main" | as_root tee /etc/apt/sources.list.d/tetratrack-backports.list >/dev/null
             apt_updated=false
         fi
-        apt_install python3-venv xvfb xauth
+        apt_install python3-venv xvfb xauth qttools5-dev-tools
         apt_install -t bookworm-backports qgis python3-qgis
     fi
     step "Python environment of the QGIS tests in .venv-qgis" "delete .venv-qgis and run again"

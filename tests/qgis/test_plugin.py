@@ -1,0 +1,132 @@
+"""The plugin as QGIS loads it: registers everything, takes it back, starts quickly without an engine; pages of its help are current."""
+
+from __future__ import annotations
+
+import importlib.util
+import time
+from pathlib import Path
+
+import pytest
+from qgis.core import QgsApplication, QgsSettings
+from qgis.gui import QgisInterface
+from qgis.PyQt.QtWidgets import QToolBar
+from tetratrack.plugin import engine
+from tetratrack.plugin.options import TetratrackOptionsPage
+from tetratrack.plugin.tetratrack_plugin import TetratrackPlugin
+from tetratrack.plugin.translation import language_of
+
+
+class Interface:
+    """What the plugin needs of QGIS's interface."""
+
+    def __init__(self, real: QgisInterface) -> None:
+        self.real = real
+        self.factories: list[object] = []
+        self.menu: list[object] = []
+        self.docks: list[object] = []
+
+    def mainWindow(self) -> object:
+        return self.real.mainWindow()
+
+    def mapCanvas(self) -> object:
+        return self.real.mapCanvas()
+
+    def messageBar(self) -> object:
+        return self.real.messageBar()
+
+    def addToolBar(self, title: str) -> QToolBar:
+        return QToolBar(title)
+
+    def registerOptionsWidgetFactory(self, factory: object) -> None:
+        self.factories.append(factory)
+
+    def unregisterOptionsWidgetFactory(self, factory: object) -> None:
+        self.factories.remove(factory)
+
+    def addPluginToMenu(self, menu: str, action: object) -> None:
+        self.menu.append(action)
+
+    def removePluginMenu(self, menu: str, action: object) -> None:
+        self.menu.remove(action)
+
+    def addDockWidget(self, area: object, dock: object) -> None:
+        self.docks.append(dock)
+
+    def removeDockWidget(self, dock: object) -> None:
+        self.docks.remove(dock)
+
+
+def test_starts_quickly_without_an_engine_and_leaves_nothing(qgis_iface: QgisInterface, provider: object, no_engine: None) -> None:
+    registry = QgsApplication.processingRegistry()
+    before = len(registry.providers())
+    interface = Interface(qgis_iface)
+    started = time.perf_counter()
+    plugin = TetratrackPlugin(interface)
+    plugin.initGui()
+    assert time.perf_counter() - started < 0.1
+    assert len(interface.menu) == 2
+    assert len(interface.factories) == 1
+    plugin.unload()
+    assert interface.menu == []
+    assert interface.factories == []
+    # the provider of the other tests carries the same id: QGIS keeps the first
+    assert len(registry.providers()) <= before
+
+
+def test_options_say_what_to_do_and_keep_the_choice(qgis_iface: QgisInterface, no_engine: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = TetratrackOptionsPage()
+    assert "not installed" in page.state.text()
+    page.chooser.setFilePath("/opt/engine/bin/python")
+    page.apply()
+    assert QgsSettings().value(engine.PYTHON_SETTING) == "/opt/engine/bin/python"
+    QgsSettings().remove(engine.PYTHON_SETTING)
+
+
+def test_engine_is_looked_for_in_order(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv(engine.PYTHON_VARIABLE, raising=False)
+    monkeypatch.setattr(engine, "managed_environment", lambda: tmp_path / "managed")
+    monkeypatch.setattr(engine, "PLUGIN_FOLDER", tmp_path / "plugin")
+    monkeypatch.setattr(engine, "NEEDED_MODULES", ("a_module_nobody_has",))
+    assert engine.find_engine() is None
+    monkeypatch.setattr(engine, "NEEDED_MODULES", ("json",))
+    assert engine.find_engine().origin == "current"
+    python = engine.environment_python(tmp_path / "managed")
+    python.parent.mkdir(parents=True)
+    python.write_text("")
+    assert engine.find_engine() == engine.Engine(python, "managed")
+    chosen = tmp_path / "chosen"
+    chosen.write_text("")
+    monkeypatch.setenv(engine.PYTHON_VARIABLE, str(chosen))
+    assert engine.find_engine() == engine.Engine(chosen, "setting")
+
+
+@pytest.mark.parametrize(
+    ("locale", "language"),
+    [
+        ("ja", "ja"),
+        ("ja_JP", "ja"),
+        ("zh-Hans", "zh-Hans"),
+        ("zh_CN", "zh-Hans"),
+        ("zh-Hant", None),
+        ("pt_BR", "pt"),
+        ("de", None),
+        ("C", None),
+    ],
+)
+def test_language_of_a_locale(locale: str, language: str | None) -> None:
+    assert language_of(locale) == language
+
+
+def test_catalogue_offered_is_the_engines() -> None:
+    unit_types = pytest.importorskip("tetratrack.core.unit_types", reason="this Python has no SciPy")
+    from tetratrack.algorithms.inputs import UNIT_HINTS
+
+    assert list(UNIT_HINTS) == list(unit_types.catalogue())
+
+
+def test_pages_of_the_algorithms_are_current(repository: Path) -> None:
+    spec = importlib.util.spec_from_file_location("docs_pages", repository / "scripts" / "docs_pages.py")
+    pages = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(pages)
+    for name, text in pages.algorithm_pages().items():
+        assert (repository / "docs" / "algorithms" / name).read_text(encoding="utf-8") == text, f"{name}: run scripts/docs_pages.py"
