@@ -626,16 +626,16 @@ def track_tables(
         fields = ("legs_visible", "coverage", "score", "sigma0")
         return {name: table[name][row] for name in fields} | {"observed": [bool(v) for v in table["observed"][row]]}
 
-    unit_rows_, points = unit_tables(result, placed, units, names, base, from_fit, feature_rows, covariance_fields)
+    unit_rows_, points = unit_tables(result, placed, units, names, origin, from_fit, feature_rows, covariance_fields)
     moved, other = displacement_rows(result, placed, units, names, options)
     tables: Tables = {
         "units": unit_rows_,
         "feature_points": points,
         "displacements": moved,
         "displacements_other": other,
-        "epoch_pairs": pair_rows(result, placed, base),
-        "cross_checks": cross_check_rows(result, placed, names, base),
-        "velocities": velocity_rows(result, placed, names, base),
+        "epoch_pairs": pair_rows(result, placed, origin),
+        "cross_checks": cross_check_rows(result, placed, names, origin),
+        "velocities": velocity_rows(result, placed, names, origin),
     }
     settings = {
         e.label: {
