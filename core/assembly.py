@@ -85,11 +85,12 @@ def refine(
     out = poses.copy()
     shape: tuple[Any, ...] = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance)
     cells: tuple[Any, ...] = (grid.start, grid.order, grid.origin, grid.size, grid.cell)
+    arguments: tuple[Any, ...] = (points, normals, active, *cells, *shape, most, sweeps)
     if len(out) > 4:
-        _refine_many(out, points, normals, active, *cells, *shape, most, sweeps)
+        _refine_many(out, *arguments)
     else:
         for pose in out:
-            _refine_one(pose, points, normals, active, *cells, *shape, most, sweeps)
+            _refine_one(pose, *arguments)
     return out
 
 

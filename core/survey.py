@@ -172,9 +172,7 @@ SECTIONS: dict[str, dict[str, Key]] = {
         "control": Key("file", "surveyed targets: point_id,easting,northing,height,sd_e,sd_n,sd_h", '"control_2025-03-14.csv"'),
         "targets": Key("file", "the same targets as measured in this epoch's cloud: point_id,x,y,z", '"targets_2025-03-14.csv"'),
         "control_crs": Key("text", "CRS of the control file where it is not the survey's", '"EPSG:5179"'),
-        "control_unit": Key(
-            "choice", "length unit of the control file's numbers", '"m"', choices=("m", "ft", "us-ft"), default="m"
-        ),
+        "control_unit": Key("choice", "length unit of the control file's numbers", '"m"', choices=("m", "ft", "us-ft"), default="m"),
         "check": Key(
             "file",
             "check points, for validation only: point_id,unit_easting,unit_northing,unit_height,easting,northing,height,sd",
