@@ -71,7 +71,8 @@ def shade(grid: HighestPoints) -> tuple[GreyArray, GreyArray]:
     Returns
     -------
     grey, alpha
-        (rows, columns) brightness 55..255, so that shadows still show symbols, and 255 where a point lies in the cell or beside it, 0 elsewhere.
+        (rows, columns) brightness 55..255, so that shadows still show symbols, and 255 where a point lies in the cell or beside it,
+        0 elsewhere.
     """
     known = np.isfinite(grid.height)
     weight = uniform_filter(known.astype(np.float32), 3)
