@@ -23,7 +23,7 @@ import numpy as np
 
 from .crs import LOCAL, parse_crs
 from .errors import InputError, OutputError
-from .result_tables import connect, encode_line, encode_point, now_utc
+from .result_tables import add_indices, connect, encode_line, encode_point, now_utc
 from .schema import LAYERS, Field, Layer
 
 Row = Mapping[str, Any]
@@ -200,6 +200,7 @@ def _build(connection: sqlite3.Connection, survey_crs: str, tables: Mapping[str,
             "useAsDefault, description, owner) VALUES ('', '', ?, ?, ?, ?, '', 1, '', '')",
             (name, "" if LAYERS[name].geometry == "none" else "geom", name, qml),
         )
+    add_indices(connection)
     connection.execute("COMMIT")
 
 

@@ -44,6 +44,19 @@ SELECT_ALL: Mapping[str, str] = {
 }
 """The only statements that read a whole layer: layer names never come from outside."""
 
+INDICES = (
+    ("feature_points", "CREATE INDEX IF NOT EXISTS feature_points_unit ON feature_points (unit_id)"),
+    ("displacements", "CREATE INDEX IF NOT EXISTS displacements_unit ON displacements (unit_id)"),
+    ("displacements", "CREATE INDEX IF NOT EXISTS displacements_pair ON displacements (epoch_from, epoch_to, datum, feature)"),
+    ("displacements_other", "CREATE INDEX IF NOT EXISTS displacements_other_unit ON displacements_other (unit_id)"),
+    (
+        "displacements_other",
+        "CREATE INDEX IF NOT EXISTS displacements_other_pair ON displacements_other (epoch_from, epoch_to, datum, feature)",
+    ),
+    ("units", "CREATE INDEX IF NOT EXISTS units_epoch ON units (epoch)"),
+    ("units", "CREATE INDEX IF NOT EXISTS units_unit ON units (unit_id)"),
+)
+"""By layer, what makes a look at one unit or one epoch pair quick in a result of ten thousand units."""
 REQUIRED = ("units", "feature_points", "displacements", "epochs")
 
 
@@ -86,6 +99,14 @@ def connect(path: Path, *, write: bool = False) -> sqlite3.Connection:
             f"has no layer {', '.join(missing)}", source=path, remedy="Choose a result of tetratrack run; this is another GeoPackage."
         )
     return connection
+
+
+def add_indices(connection: sqlite3.Connection) -> None:
+    """Add the indices of all layers that are there and lack them."""
+    tables = {str(row[0]) for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+    for table, statement in INDICES:
+        if table in tables:
+            connection.execute(statement)
 
 
 def table_names(path: Path) -> frozenset[str]:

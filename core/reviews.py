@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from .errors import InputError, OutputError
-from .result_tables import EpochPair, connect, now_utc, query, table_names
+from .result_tables import EpochPair, add_indices, connect, now_utc, query, table_names
 
 Decision = Literal["accepted", "rejected", "inspect"]
 DECISIONS: tuple[Decision, ...] = ("accepted", "rejected", "inspect")
@@ -30,22 +30,9 @@ CREATE_LOG = (
     "epoch_from TEXT NOT NULL, epoch_to TEXT NOT NULL, action TEXT NOT NULL, decision TEXT, comment TEXT, reviewer TEXT NOT NULL, "
     "at DATETIME NOT NULL, undoes INTEGER)"
 )
+INDEX_LOG = "CREATE INDEX IF NOT EXISTS review_log_unit ON review_log (unit_id)"
 REGISTER = (
     "INSERT OR IGNORE INTO gpkg_contents (table_name, data_type, identifier, description, last_change) VALUES (?, 'attributes', ?, ?, ?)"
-)
-INDICES = (
-    ("review_log", "CREATE INDEX IF NOT EXISTS review_log_unit ON review_log (unit_id)"),
-    ("reviews", "CREATE INDEX IF NOT EXISTS reviews_unit ON reviews (unit_id)"),
-    ("feature_points", "CREATE INDEX IF NOT EXISTS feature_points_unit ON feature_points (unit_id)"),
-    ("displacements", "CREATE INDEX IF NOT EXISTS displacements_unit ON displacements (unit_id)"),
-    ("displacements", "CREATE INDEX IF NOT EXISTS displacements_pair ON displacements (epoch_from, epoch_to, datum, feature)"),
-    ("displacements_other", "CREATE INDEX IF NOT EXISTS displacements_other_unit ON displacements_other (unit_id)"),
-    (
-        "displacements_other",
-        "CREATE INDEX IF NOT EXISTS displacements_other_pair ON displacements_other (epoch_from, epoch_to, datum, feature)",
-    ),
-    ("units", "CREATE INDEX IF NOT EXISTS units_epoch ON units (epoch)"),
-    ("units", "CREATE INDEX IF NOT EXISTS units_unit ON units (unit_id)"),
 )
 
 
@@ -121,10 +108,7 @@ def prepare(path: Path) -> None:
     """
     with writing(path) as connection:
         _prepare(connection)
-        tables = {str(row["name"]) for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
-        for table, statement in INDICES:
-            if table in tables:
-                connection.execute(statement)
+        add_indices(connection)
 
 
 def decide(path: Path, unit_ids: Sequence[str], pair: EpochPair, decision: Decision, *, comment: str, reviewer: str) -> list[int]:
@@ -224,6 +208,7 @@ def register_attributes(connection: sqlite3.Connection, table: str, description:
 def _prepare(connection: sqlite3.Connection) -> None:
     connection.execute(CREATE_REVIEWS)
     connection.execute(CREATE_LOG)
+    connection.execute(INDEX_LOG)
     present = {str(row["name"]) for row in connection.execute("SELECT name FROM pragma_table_info('reviews')")}
     if "confirmed_by" not in present:
         connection.execute("ALTER TABLE reviews ADD COLUMN confirmed_by TEXT")

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 from tetratrack.core.outline import PlacedShape, reach, rotation_of_quaternion
-from tetratrack.core.result_tables import encode_line, encode_point
+from tetratrack.core.result_tables import add_indices, encode_line, encode_point
 from tetratrack.core.schema import FEATURES, LAYERS
 from tetratrack.core.unit_points import index_folder, write_index
 
@@ -288,6 +288,7 @@ def _write(path: Path, rows: dict[str, list[dict[str, Any]]]) -> None:
                 for row in table
             ]
             connection.executemany(f'INSERT INTO "{layer.name}" ({quoted}) VALUES ({", ".join("?" * len(names))})', values)  # noqa: S608 - names of the schema
+        add_indices(connection)
         connection.execute("COMMIT")
 
 
