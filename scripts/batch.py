@@ -3,7 +3,7 @@ that one bad survey does not end the others."""
 
 from __future__ import annotations
 
-import subprocess
+import subprocess  # nosec B404 - starts this command itself, with a list of arguments
 import sys
 import time
 from collections.abc import Callable, Sequence
@@ -92,7 +92,7 @@ def watch(survey: Path, options: Sequence[str], interval: float, once: bool, fee
 def _run(survey: Path, options: Sequence[str], feedback: Feedback) -> int:
     """Run one survey in a process of its own and pass its lines on."""
     command = [sys.executable, "-m", "tetratrack.scripts.cli", "run", str(survey), "--output", str(result_of(survey)), *options]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, encoding="utf-8") as process:
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, encoding="utf-8") as process:  # nosec B603 - as above
         try:
             for line in process.stdout or ():
                 say: Callable[[str], None] = feedback.warning if line.startswith("error: ") else feedback.info
