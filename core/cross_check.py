@@ -21,7 +21,7 @@ from .pose import Pose, rotation_angle
 FloatArray = NDArray[np.float64]
 
 MIN_POINTS = 60
-MAX_POINTS = 1500
+MAX_POINTS = 1000
 NEIGHBOURS = 20
 AGREEMENT_LEVEL = 0.001
 """Level of the test of agreement, low because it asks for one gross difference among many units."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -146,7 +147,6 @@ def unit_motion(
     turn_total = turn_null.covariance(turn_cov) + common_turn
     size = float(np.linalg.norm(angle))
     along = angle / size if size > 0 else np.array([0.0, 0.0, 1.0])
-    factor = math.sqrt(noncentrality(SIGNIFICANCE, POWER))
     return UnitMotion(
         points,
         vectors,
@@ -156,8 +156,14 @@ def unit_motion(
         statistics,
         f_p_value(statistics, congruence.null.tail if datum == "stable" else congruence.control_tail),
         float(turn_null.p_value(np.array([angle @ np.linalg.solve(turn_total, angle)]))[0]),
-        factor * np.sqrt(np.linalg.eigvalsh(covariances)[:, -1]),
+        _detection_factor() * np.sqrt(np.linalg.eigvalsh(covariances)[:, -1]),
     )
+
+
+@cache
+def _detection_factor() -> float:
+    """Detectable displacement over the standard deviation in its direction."""
+    return math.sqrt(noncentrality(SIGNIFICANCE, POWER))
 
 
 def adjusted_p_values(p_values: Sequence[float]) -> FloatArray:
