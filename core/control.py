@@ -467,7 +467,10 @@ def register(
     notes = [f"target {name} is in one file only" for name in unmatched]
     if not used.all():
         out = ", ".join(n for n, u in zip(names, used) if not u)
-        notes.append(f"disturbed target excluded: {out}; keeping it would shift units by up to {1000 * effect:.1f} mm")
+        where_shifted = "the targets" if reference is None else "the units"
+        notes.append(
+            f"disturbed target excluded: {out}; keeping it would shift the cloud by up to {1000 * effect:.1f} mm at {where_shifted}"
+        )
     tilt = math.degrees(math.acos(float(np.clip(fit.transformation.rotation[2, 2], -1, 1))))
     if tilt > LEVEL_TOLERANCE:
         notes.append(
