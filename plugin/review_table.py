@@ -65,8 +65,10 @@ class ReviewModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return self.text(row, column)
         if role == Qt.ItemDataRole.TextAlignmentRole:
+            # Qt 5 takes a plain number only, and Qt 6's flags are no numbers
             side = Qt.AlignmentFlag.AlignLeft if column in TEXT_COLUMNS else Qt.AlignmentFlag.AlignRight
-            return int(side | Qt.AlignmentFlag.AlignVCenter)
+            alignment = side | Qt.AlignmentFlag.AlignVCenter
+            return int(getattr(alignment, "value", alignment))
         review = self.store.review(row.unit_id)
         if role == Qt.ItemDataRole.FontRole:
             font = QFont(QApplication.font())

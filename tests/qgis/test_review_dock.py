@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import multiprocessing
 import stat
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -385,3 +387,13 @@ def test_key_events_of_other_keys_stay_with_the_table(dock: ReviewDock) -> None:
     dock.table.keyPressEvent(event)
     assert len(dock.store.selected) == dock.model.rowCount(), "Ctrl+A selects all"
     assert read_reviews(dock.store.path) == {}
+
+
+def test_the_dock_needs_no_numeric_library_beyond_numpy(repository: Path) -> None:
+    """QGIS's Python must not load a second PROJ or GDAL, and may lack SciPy and Matplotlib."""
+    code = (
+        "import sys; sys.path.insert(0, sys.argv[1]); import conftest; import tetratrack.plugin.review_dock; "
+        "print([m for m in ('scipy', 'matplotlib', 'geopandas', 'pyogrio', 'open3d', 'pyproj', 'numba') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code, str(repository / "tests")], capture_output=True, text=True, check=True)
+    assert done.stdout.strip().splitlines()[-1] == "[]"
