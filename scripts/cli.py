@@ -224,6 +224,26 @@ def validate(
     _run(quiet, log_file, json_progress, step)
 
 
+@app.command()
+def export(
+    result: ResultFile,
+    output: Annotated[Path, typer.Option("--output", "-o", help="Folder for one file a layer", show_default=False)],
+    formats: Annotated[list[str] | None, typer.Option("--format", help="csv or parquet; repeat for both, which is the default")] = None,
+    layers: Annotated[list[str] | None, typer.Option("--layer", help="Layer to write; repeat for several, default all")] = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Layers of a result as CSV and GeoParquet."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.export import FORMATS, export_layers
+
+        return {"output": str(output), "files": len(export_layers(result, output, formats or FORMATS, layers or ()))}
+
+    _run(quiet, log_file, json_progress, step)
+
+
 @app.command("register-views")
 def register_views(
     views: Annotated[list[Path], typer.Argument(metavar="VIEWS...", help="LAS/LAZ files that overlap", show_default=False)],
