@@ -43,6 +43,8 @@ IntArray = NDArray[np.int64]
 
 DATUMS = ("stable", "control")
 MIN_RECOVERED_POINTS = 60
+RECOVERED_SCORE = 0.8
+"""Probability below which one detection does not vouch for the unit in an epoch where it was not detected."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,6 +63,8 @@ class FittedUnit:
         (n, 3), (n,) its points and their strips or stations; none where only the fit is known.
     covariance
         (6, 6) of the fitted pose, used where there are no points.
+    score
+        Probability that it is a unit, 0 to 1.
     """
 
     pose: Pose
@@ -71,6 +75,7 @@ class FittedUnit:
     points: FloatArray
     sources: NDArray[np.integer]
     covariance: FloatArray | None = None
+    score: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -384,7 +389,8 @@ def _states_of(
             number = numbers[unit, epoch]
             place = joint.order[unit].index(number)
             block = slice(6 * place, 6 * place + 6)
-            status = "found" if confirmed else "uncertain"
+            vouched = epoch in track.rows or seen[epoch].score >= RECOVERED_SCORE
+            status = "found" if confirmed and vouched else "uncertain"
             if epoch in track.relocated:
                 status = "relocated"
             elif confirmed and epoch == first > 0 and states.get(epoch - 1) == "empty":
@@ -422,7 +428,7 @@ def _compare(
         joints.append(both)
         turns.append(turn_vector(a.pose, b.pose))
         turn_covs.append(turn_covariance(a.pose, b.pose, both))
-    certain = np.array([tracked[k][first].status != "uncertain" for k in members], dtype=bool)
+    certain = np.array([all(tracked[k][e].status != "uncertain" for e in (first, second)) for k in members], dtype=bool)
     carried = np.array([any(first < e <= second for e in tracks[k].relocated) for k in members], dtype=bool)
     judged = np.flatnonzero(certain & ~carried)
     height = max(unit.height for unit in units)

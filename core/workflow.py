@@ -664,9 +664,10 @@ def _tracked_epoch(epoch: EpochUnits, registration: Registration | None, units: 
     for row, points, sources in epoch.points():
         pose = transformation.apply_pose(epoch.pose(row)).shifted(-origin)
         kind = int(table["type"][row])
-        found[row] = FittedUnit(
-            pose, units[kind], kind, table["status"][row] == "found", table["discs"][row], transformation.apply(points) - origin, sources
-        )
+        certain = table["status"][row] == "found"
+        placed = transformation.apply(points) - origin
+        score = float(table["score"][row])
+        found[row] = FittedUnit(pose, units[kind], kind, certain, table["discs"][row], placed, sources, score=score)
     return TrackedEpoch(
         epoch.plan.epoch.label,
         epoch.plan.epoch.time,
