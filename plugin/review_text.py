@@ -106,7 +106,8 @@ class LengthFormat:
 
     def number(self, metres: float) -> str:
         """The bare number."""
-        return f"{metres * self.factor:.{self.decimals}f}"
+        # adding zero turns the negative zero of small values into zero
+        return f"{round(metres * self.factor, self.decimals) + 0.0:.{self.decimals}f}"
 
     def text(self, metres: float) -> str:
         """Number and unit."""
