@@ -1037,6 +1037,8 @@ class _Solver:
             _pair_products(points[::skip], rows[::skip], length, exponent, length * (4.0 if exponent == 1 else 2.2), pairs)
             correlated = strength * (thinning * len(points) / len(points[::skip])) ** 2 * pairs
             inflation = 1 + max(float(np.trace(white @ correlated)), 0.0) / max(float(np.trace(white @ self.plain)), 1.0)
+            if inflation < 1.2:
+                break
             # the covariance function itself is known from so many independent patches only (mean of an inverted Wishart distribution)
             neighbours = 2 * float(counts[middle < length].sum()) / len(points) * thinning
             patches = max(len(used) / (1 + neighbours), 2.0 * (len(PARAMETERS) + 1))

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 
+import laspy
 import numpy as np
 import pytest
+from conftest import SHARED
 from scipy.spatial.transform import Rotation
 from tetratrack.core.calibration import calibrate
 from tetratrack.core.errors import InputError
@@ -13,6 +15,7 @@ from tetratrack.core.feature_points import body_features
 from tetratrack.core.gauss_helmert import AdjustmentOptions
 from tetratrack.core.literal_model import fit_literal, literal_axes, literal_start
 from tetratrack.core.pose import Pose
+from tetratrack.core.segmentation import segment
 from tetratrack.core.tetrapod import sample_surface
 from tetratrack.core.unit_types import UnitType
 
@@ -63,6 +66,25 @@ def test_single_legs_cannot_calibrate() -> None:
     clouds, poses = units(3, np.random.default_rng(4), legs=1)
     with pytest.raises(InputError, match="calibrate = false"):
         calibrate(clouds, NOMINAL, poses, options=AdjustmentOptions.ideal())
+
+
+@pytest.mark.shared_data
+def test_real_units_give_the_mould_found_by_independent_fits() -> None:
+    """Six crops of real units, no survey truth: r0 = 0.776 +- 0.012 m and c = 0.203 +- 0.010 by free fits made elsewhere."""
+    clouds, poses = [], []
+    for tile in sorted((SHARED / "data" / "real" / "tiles" / "2019").glob("*.la[sz]")):
+        cloud = laspy.read(tile)
+        points = np.column_stack([cloud.x, cloud.y, cloud.z])
+        points -= points.mean(axis=0)
+        found = segment(points, NOMINAL)
+        if found.units:
+            largest = max(range(len(found.units)), key=lambda k: int(np.sum(found.labels == k)))
+            clouds.append(points[:: len(points) // 6000])
+            poses.append(found.units[largest].pose)
+    result = calibrate(clouds, NOMINAL, poses)
+    assert result.used.sum() >= 4
+    assert result.unit.radius == pytest.approx(0.776, abs=0.012)
+    assert result.unit.gradient == pytest.approx(0.203, abs=0.010)
 
 
 def test_printed_rotations_stand_at_120_degrees_and_bend_when_tilted() -> None:
