@@ -36,6 +36,8 @@ IntArray = NDArray[np.int64]
 Status = Literal["found", "uncertain"]
 
 PASSES = 4
+FEWEST_POINTS = 50
+"""A cloud of fewer points holds no unit."""
 FOUND_SCORE = 0.65
 """Units of at least this score are stated as found; the others are kept as uncertain."""
 CLEARANCE_IN_NOISE = 2.0
@@ -84,6 +86,34 @@ class DetectedUnit:
 
 
 @dataclass(frozen=True, eq=False)
+class JudgedPoses:
+    """Poses with what speaks for and against each.
+
+    Attributes
+    ----------
+    elements
+        The thinned cloud they were judged on.
+    poses
+        (k, 12) centre and rotation by rows, reduced frame.
+    evidence
+        (k, 7) columns as in ``assembly``.
+    certainty
+        (k,) 0..1, 0 where a different twist about a leg explains the points as well.
+    tolerance
+        Distance within which an element supports a unit, metres.
+    typical_misfit
+        Misfit of the better supported half of the poses, metres.
+    """
+
+    elements: SurfaceElements
+    poses: FloatArray
+    evidence: FloatArray
+    certainty: FloatArray
+    tolerance: float
+    typical_misfit: float
+
+
+@dataclass(frozen=True, eq=False)
 class Segmentation:
     """Units found in a cloud and the points of each.
 
@@ -121,9 +151,14 @@ def segment(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int =
         Threads of the neighbour searches, -1 for all.
     """
     points = np.ascontiguousarray(points, dtype=np.float64)
-    height = unit.height
-    if len(points) < 50:
+    if len(points) < FEWEST_POINTS:
         return Segmentation((), np.full(len(points), -1, dtype=np.int64), 0.0, 0.0, 0.0)
+    return _stated(points, judge_poses(points, unit, seed=seed, workers=workers), unit)
+
+
+def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int = -1) -> JudgedPoses:
+    """Every pose that :func:`segment` weighs, chance alignments included, with the evidence for it; arguments as there."""
+    height = unit.height
     elements = surface_elements(points, height, workers=workers)
     grid = build_grid(elements.points, 0.13 * height)
     tolerance = max(2.5 * elements.element_noise, 0.008 * height)
@@ -145,11 +180,11 @@ def segment(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int =
         typical = _typical_misfit(chosen.evidence) if turn == 0 else typical
         if turn > 0 and not any(score(row, tolerance, typical) > WORTH_ANOTHER_PASS for row in chosen.evidence):
             break
-    return _finish(points, elements, poses, unit, tolerance, grid)
+    return _judged(elements, poses, unit, tolerance, grid)
 
 
-def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolerance: float, grid: Grid) -> Segmentation:
-    """Refine the accepted poses on their exclusive points, judge them once more and hand the raw points out."""
+def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolerance: float, grid: Grid) -> JudgedPoses:
+    """Refine the accepted poses on their exclusive points and judge them once more."""
     sign = elements.oriented.astype(np.int8)
     table = np.zeros((len(poses), 7))
     for _ in range(2):
@@ -167,8 +202,13 @@ def _finish(points: FloatArray, elements: SurfaceElements, poses: FloatArray, un
         own = (owner == k) | (owner < 0)
         rival = _best_rival(poses[k], np.delete(poses, k, axis=0), elements, own, grid, unit, tolerance)
         certainty[k] = np.clip((1 - rival / max(worth(table[k]), 1e-9)) / RIVAL_MARGIN, 0, 1)
-    typical = _typical_misfit(table)
-    scores = certainty * np.array([score(row, tolerance, typical) for row in table])
+    return JudgedPoses(elements, poses, table, certainty, tolerance, _typical_misfit(table))
+
+
+def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmentation:
+    """State which poses are units, and hand the raw points out."""
+    poses, table, tolerance, elements = judged.poses, judged.evidence, judged.tolerance, judged.elements
+    scores = judged.certainty * np.array([score(row, tolerance, judged.typical_misfit) for row in table])
     shared = np.zeros(len(poses))
     for k in range(len(poses)):
         stronger = np.flatnonzero((scores >= FOUND_SCORE) & (scores > scores[k]))
@@ -235,26 +275,34 @@ def _typical_misfit(table: FloatArray) -> float:
 
 
 def score(row: FloatArray, tolerance: float, typical: float) -> float:
-    """Probability, 0..1, that the evidence row is that of a real unit in its true pose.
+    """Probability, 0..1, that the evidence row is that of a real unit in its true pose: a logistic model of its features.
 
-    A logistic model of: odds that an element near the surface lies on it and odds that its normal agrees, both the more telling
-    the more surface cells they come from; elements inside the solid; misfit against what is typical of this cloud and against the
-    tolerance. Its weights were fitted to simulated piles, rock and laboratory scenes (``benchmarks/score_calibration.py``), never
-    to a real survey.
+    The weights were fitted to simulated piles, rock and laboratory scenes (``benchmarks/score_calibration.py``), never to a real
+    survey.
+    """
+    if row[CLOSE] < 1:
+        return 0.0
+    return float(1 / (1 + np.exp(-(SCORE_INTERCEPT + np.dot(SCORE_WEIGHTS, score_features(row, tolerance, typical))))))
+
+
+def score_features(row: FloatArray, tolerance: float, typical: float) -> FloatArray:
+    """(6,) what the score is made of.
+
+    Odds that an element near the surface lies on it and odds that its normal agrees, both the more telling the more surface cells
+    they come from; elements inside the solid; misfit against what is typical of this cloud and against the tolerance; extent.
     """
     close = row[CLOSE]
-    if close < 1:
-        return 0.0
     # two per cent of disagreement is always allowed for, so that the odds stay finite
     on_surface = np.log((close + 1) / (row[REACHED] - close + 1 + 0.02 * close))
     agreeing = np.log((row[SUPPORT] + 1) / (close - row[SUPPORT] + 1 + 0.02 * close))
     extent = np.log1p(row[CELLS])
-    features = (
-        extent * on_surface,
-        extent * agreeing,
-        np.log1p(row[INSIDE] / (0.01 * close + 1)),
-        min(row[RMS] / max(typical, 1e-12), 4.0),
-        row[RMS] / tolerance,
-        extent,
+    return np.array(
+        [
+            extent * on_surface,
+            extent * agreeing,
+            np.log1p(row[INSIDE] / (0.01 * close + 1)),
+            min(row[RMS] / max(typical, 1e-12), 4.0),
+            row[RMS] / tolerance,
+            extent,
+        ]
     )
-    return float(1 / (1 + np.exp(-(SCORE_INTERCEPT + np.dot(SCORE_WEIGHTS, features)))))
