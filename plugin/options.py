@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -49,16 +50,22 @@ class CreateEnvironment(QgsTask):
         self.problem = ""
 
     def run(self) -> bool:
-        steps = (
-            (self.python, ["-m", "venv", "--clear", str(self.environment)]),
-            (environment_python(self.environment), ["-m", "pip", "install", "--disable-pip-version-check", str(PLUGIN_FOLDER)]),
-        )
         self.environment.parent.mkdir(parents=True, exist_ok=True)
-        for number, (program, arguments) in enumerate(steps):
-            self.setProgress(5 + 40 * number)
-            if not self._run(program, arguments):
-                shutil.rmtree(self.environment, ignore_errors=True)
-                return False
+        with tempfile.TemporaryDirectory(prefix="tetratrack-") as scratch:
+            # pip builds inside the folder it installs: a copy keeps the plugin's own folder clean
+            source = Path(scratch) / "tetratrack"
+            shutil.copytree(
+                PLUGIN_FOLDER, source, ignore=shutil.ignore_patterns(".*", "__pycache__", "tests", "docs", "*.egg-info", "build")
+            )
+            steps = (
+                (self.python, ["-m", "venv", "--clear", str(self.environment)]),
+                (environment_python(self.environment), ["-m", "pip", "install", "--disable-pip-version-check", str(source)]),
+            )
+            for number, (program, arguments) in enumerate(steps):
+                self.setProgress(5 + 40 * number)
+                if not self._run(program, arguments):
+                    shutil.rmtree(self.environment, ignore_errors=True)
+                    return False
         return True
 
     def finished(self, result: bool) -> None:

@@ -64,8 +64,8 @@ def monitored(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> dic
 
 
 def test_all_algorithms_are_listed(provider: TetratrackProvider) -> None:
-    assert sorted(a.name() for a in provider.algorithms()) == sorted(NAMES)
     assert len(NAMES) == 12
+    assert sorted(a.name() for a in provider.algorithms()) == sorted(NAMES)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -262,9 +262,10 @@ def test_toolbox_and_command_give_the_same_numbers(repository: Path, tiny: Path,
     assert centres(str(tmp_path / "r.gpkg")) == pytest.approx(centres(monitored["OUTPUT"]), abs=1e-6)
 
 
-def test_qgis_process_reads_and_writes_json(repository: Path, tiny: Path, tmp_path: Path) -> None:
-    """The plugin loaded by qgis_process from a profile, under a folder of another name."""
-    profile = tmp_path / "profile"
+@pytest.fixture(scope="module")
+def qgis_process(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, dict[str, Any]], dict[str, Any]]:
+    """qgis_process with the plugin enabled in a clean profile, under a folder of another name; JSON in, JSON out."""
+    profile = tmp_path_factory.mktemp("profile")
     plugins = profile / "profiles" / "default" / "python" / "plugins"
     plugins.mkdir(parents=True)
     os.symlink(repository, plugins / "breakwater_watch")
@@ -276,17 +277,42 @@ def test_qgis_process_reads_and_writes_json(repository: Path, tiny: Path, tmp_pa
         "QGIS_OPTS": "",
     }
     subprocess.run(["qgis_process", "plugins", "enable", "breakwater_watch"], env=environment, check=True, capture_output=True)
-    inputs = {"inputs": {"TILES": [str(tiny / "tiles" / EPOCHS[0])], "OUTPUT": str(tmp_path / "index.gpkg")}}
-    done = subprocess.run(
-        ["qgis_process", "run", "tetratrack:inspecttiles", "-"],
-        env=environment,
-        input=json.dumps(inputs),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    assert json.loads(done.stdout)["results"]["TILE_COUNT"] == 2
+
+    def call(algorithm: str, inputs: dict[str, Any]) -> dict[str, Any]:
+        command = ["qgis_process", "run", algorithm, "-"]
+        text = json.dumps({"inputs": inputs})
+        done = subprocess.run(command, env=environment, input=text, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr[-3000:]
+        return json.loads(done.stdout)["results"]
+
+    return call
+
+
+def test_qgis_process_reads_and_writes_json(
+    qgis_process: Callable[[str, dict[str, Any]], dict[str, Any]], tiny: Path, tmp_path: Path
+) -> None:
+    inputs = {"TILES": [str(tiny / "tiles" / EPOCHS[0])], "OUTPUT": str(tmp_path / "index.gpkg")}
+    assert qgis_process("tetratrack:inspecttiles", inputs)["TILE_COUNT"] == 2
+
+
+def test_shipped_model_runs_the_chain(
+    qgis_process: Callable[[str, dict[str, Any]], dict[str, Any]], repository: Path, tiny: Path, tmp_path: Path
+) -> None:
+    inputs = {
+        "TILES": [str(path) for path in sorted((tiny / "tiles" / EPOCHS[0]).glob("*.laz"))],
+        "UNIT": "tetrapod",
+        "HEIGHT": 2.3,
+        "EPOCH": EPOCHS[0],
+        "CRS": "EPSG:32650",
+        "CHECK": str(tiny / f"check_{EPOCHS[0]}.csv"),
+        "units": str(tmp_path / "units.gpkg"),
+        "feature_points": str(tmp_path / "feature_points.gpkg"),
+        "check_residuals": str(tmp_path / "check_residuals.gpkg"),
+    }
+    qgis_process(str(repository / "algorithms" / "stepsofoneepoch.model3"), inputs)
+    counts = {name: QgsVectorLayer(str(tmp_path / f"{name}.gpkg"), name, "ogr").featureCount() for name in ("units", "feature_points")}
+    assert counts == {"units": 4, "feature_points": 20}
+    assert QgsVectorLayer(str(tmp_path / "check_residuals.gpkg"), "check", "ogr").featureCount() > 0
 
 
 def test_cancel_leaves_nothing(tmp_path: Path, repository: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
