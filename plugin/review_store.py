@@ -105,6 +105,7 @@ class ReviewStore:
         self.reviews: dict[tuple[str, EpochPair], Review] = {}
         self._position: dict[str, int] = {}
         self._statistics: Statistics | None = None
+        self._seen: tuple[tuple[int, int], ...] = ()
         self._observers: list[Callable[[Topic], None]] = []
         self._undoable: list[list[int]] = []
         self._details: dict[str, UnitDetails] = {}
@@ -272,6 +273,10 @@ class ReviewStore:
 
     def refresh(self) -> bool:
         """Take in what other reviewers wrote meanwhile; whether anything changed."""
+        stamp = self._stamp()
+        if stamp == self._seen:
+            return False
+        self._seen = stamp
         reviews = read_reviews(self.path)
         if reviews == self.reviews:
             return False
@@ -292,6 +297,11 @@ class ReviewStore:
         return self._statistics
 
     # inside
+
+    def _stamp(self) -> tuple[tuple[int, int], ...]:
+        """When and how large the file and its write-ahead log were last written: a look that costs nothing."""
+        files = (self.path, self.path.with_name(f"{self.path.name}-wal"))
+        return tuple((file.stat().st_mtime_ns, file.stat().st_size) for file in files if file.exists())
 
     def _count(self) -> Statistics:
         rejected = self.rejected

@@ -253,3 +253,16 @@ def test_index_is_replaced_whole(tmp_path: Path) -> None:
     after = PointIndex(index_folder(path)).read("2023-04-09", units[0].centres[0], 1.5)
     np.testing.assert_array_equal(before, after)
     assert sorted(p.name for p in tmp_path.iterdir()) == ["result.gpkg", "result.points"]
+
+
+def test_refresh_takes_in_what_another_process_wrote_and_is_quiet_otherwise(result: Path) -> None:
+    store = ReviewStore(result)
+    store.refresh()
+    told: list[str] = []
+    store.observe(told.append)
+    assert not store.refresh()
+    decide(result, ["U00004"], PAIR, "inspect", comment="", reviewer="B")
+    assert store.refresh()
+    assert store.review("U00004").reviewer == "B"
+    assert not store.refresh()
+    assert told == ["reviews"]
