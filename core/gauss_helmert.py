@@ -60,6 +60,7 @@ _LAGS = np.array([0.0, 0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12])
 _CORRELATION_LENGTHS = np.tile(np.geomspace(0.01, 0.12, 10), 2)
 _CORRELATION_EXPONENTS = np.repeat([1.0, 2.0], 10)
 _USUAL_CORRELATION = 15
+"""Forms of the covariance function that are tried, lengths as shares of the height; and the one taken where none stands out."""
 
 
 @dataclass(frozen=True)
@@ -939,7 +940,7 @@ class _Solver:
         inverse = (kept / values[determined]) @ kept.T
         white = np.zeros((12, 12))
         white[np.ix_(free, free)] = inverse * np.outer(scaling, scaling)
-        correlated = self.correlated_part(white, psi)
+        correlated = self.guarded(self.correlated_part(white, psi), noise_part, free)
         covariance = (white @ (noise_part + correlated + prior) @ white)[:8, :8]
         uncorrelated = white @ (noise_part + prior) @ white
         shapes = np.sqrt(np.maximum(np.diag(uncorrelated)[:8], 0)), np.sqrt(np.maximum(np.diag(covariance), 0))
@@ -966,6 +967,17 @@ class _Solver:
             self.parts.copy(), self.residuals.copy(), float(self.weights.sum() / inflation), converged, iterations, undetermined, visible,
             _flags(visible, len(undetermined), bool(used.any() and (self.parts[used] == END_DISC).all())),
         )  # fmt: skip
+
+    def guarded(self, correlated: FloatArray, noise_part: FloatArray, free: NDArray[np.bool_]) -> FloatArray:
+        """The correlated part without negative directions, if sampling the pairs of a large cloud has made any that matter."""
+        chosen = np.ix_(free, free)
+        scaling = np.outer(self.scaling[free], self.scaling[free])
+        values, vectors = np.linalg.eigh(correlated[chosen] * scaling)
+        if values[0] >= -0.5 * np.linalg.eigvalsh(noise_part[chosen] * scaling)[0]:
+            return correlated
+        positive = np.zeros((12, 12))
+        positive[chosen] = (vectors * np.maximum(values, 0.0)) @ vectors.T / scaling
+        return positive
 
     def row_excess(self, scale: float) -> FloatArray:
         """(12, 12) noise part of the normal equations; a smooth sum, taken over some of the points."""
@@ -1027,9 +1039,10 @@ class _Solver:
             deviations = strengths * np.sqrt(information)
             best = int(np.argmax(deviations))
             if deviations[best] < 2.5:
-                # what is too weak to show its form is taken at the length of a mould's roughness, if at all
+                # what is too weak to show its form is taken at the length of a mould's roughness, less what chance alone gives
                 best = _USUAL_CORRELATION
-            strength = min(float(strengths[best]), 1.0) - (0.3 / math.sqrt(float(information[best])) if best == _USUAL_CORRELATION else 0.0)
+                strengths[best] -= 0.3 / math.sqrt(float(information[best]))
+            strength = min(float(strengths[best]), 1.0)
             if strength <= 0:
                 return nothing
             length, exponent = float(_CORRELATION_LENGTHS[best]) * self.unit.height, float(_CORRELATION_EXPONENTS[best])
