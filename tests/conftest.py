@@ -28,7 +28,16 @@ _import_package()
 
 SHARED = Path(os.environ.get("TETRATRACK_SHARED", ROOT.parent / "shared"))
 
-collect_ignore = [] if importlib.util.find_spec("qgis") else ["qgis"]
+
+def _has_qgis() -> bool:
+    """Whether QGIS's own bindings are here; the folder of its tests has the same name."""
+    try:
+        return importlib.util.find_spec("qgis.core") is not None
+    except ModuleNotFoundError:
+        return False
+
+
+collect_ignore = [] if _has_qgis() else ["qgis"]
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
