@@ -177,3 +177,26 @@ def test_formula_in_a_comment_stays_text(reviewed: Path, tmp_path: Path) -> None
 
 def test_every_section_has_a_template() -> None:
     assert {path.name for path in report_module.TEMPLATES.glob("section_*.html")} == {f"section_{name}.html" for name in SECTIONS}
+
+
+def test_commands_end_with_their_exit_codes(reviewed: Path, tmp_path: Path) -> None:
+    from tetratrack.scripts.cli import app
+    from typer.testing import CliRunner
+
+    runner = CliRunner()
+    done = runner.invoke(
+        app, ["report", str(reviewed), "-o", str(tmp_path / "r.html"), "--worst", "0", "--axis", "236490,285150 236540,285185"]
+    )
+    assert done.exit_code == 0, done.output
+    assert "Sections along the axis" in (tmp_path / "r.html").read_text(encoding="utf-8")
+    done = runner.invoke(app, ["alarms", str(reviewed), "-o", str(tmp_path / "a.csv"), "--from", PAIR.epoch_from, "--to", PAIR.epoch_to])
+    assert done.exit_code == 0, done.output
+    for arguments in (
+        ["report", str(tmp_path / "none.gpkg"), "-o", str(tmp_path / "r.html")],
+        ["report", str(reviewed), "-o", str(tmp_path / "r.html"), "--axis", "1,2"],
+        ["alarms", str(reviewed), "-o", str(tmp_path / "a.csv"), "--from", "2024-04-09"],
+        ["refit", str(reviewed), "--unit", "U00001", "--epoch", "2024-04-09", "--near", "here", "--editor", "A"],
+    ):
+        done = runner.invoke(app, arguments)
+        assert done.exit_code == 2, done.output
+        assert "Traceback" not in done.output
