@@ -717,7 +717,7 @@ def _insert(connection: sqlite3.Connection, layer: str, row: Row) -> int:
     quoted = ", ".join('"' + name.replace('"', '""') + '"' for name in present)
     marks = ", ".join("?" * len(present))
     # layer and columns come from the file's own catalogue, values are bound
-    statement = f'INSERT INTO "{layer}" ({quoted}) VALUES ({marks})'  # noqa: S608
+    statement = f'INSERT INTO "{layer}" ({quoted}) VALUES ({marks})'  # noqa: S608  # nosec B608
     return int(connection.execute(statement, [row[name] for name in present]).lastrowid or 0)
 
 
