@@ -442,6 +442,26 @@ def unit_points(
     _run(quiet, log_file, json_progress, step)
 
 
+@app.command("label-tiles")
+def label_tiles(
+    survey: SurveyFile,
+    result: ResultFile,
+    folder: Annotated[Path, typer.Option("--folder", help="Folder for the tiles, one subfolder per epoch", show_default=False)],
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Write the tiles again as LAZ with the number of each point's unit in a dimension unit_id."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.labelled_tiles import write_labelled_tiles
+        from ..core.survey import read_survey
+
+        return write_labelled_tiles(read_survey(survey), result, folder, feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
 @app.command()
 def refit(
     result: ResultFile,

@@ -61,3 +61,20 @@ def shared_data() -> Path:
 def repository() -> Path:
     """Root of the checkout."""
     return ROOT
+
+
+@pytest.fixture(scope="session")
+def tiny(repository: Path) -> Path:
+    """Folder of the smallest sample survey: a few units, two epochs."""
+    return repository / "tests" / "data" / "tiny"
+
+
+@pytest.fixture(scope="session")
+def result(tiny: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Result of a whole run on the tiny survey."""
+    from tetratrack.core.survey import read_survey
+    from tetratrack.core.workflow import Feedback, RunOptions, run_survey
+
+    path = tmp_path_factory.mktemp("result") / "result.gpkg"
+    run_survey(read_survey(tiny / "survey.toml"), path, RunOptions(workers=1), Feedback())
+    return path

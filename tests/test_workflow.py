@@ -26,18 +26,6 @@ from tetratrack.scripts.cli import app
 from typer.testing import CliRunner
 
 
-@pytest.fixture(scope="session")
-def tiny(repository: Path) -> Path:
-    return repository / "tests" / "data" / "tiny"
-
-
-@pytest.fixture(scope="session")
-def result(tiny: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("result") / "result.gpkg"
-    run_survey(read_survey(tiny / "survey.toml"), path, RunOptions(workers=1), Feedback())
-    return path
-
-
 def retiled(tiny: Path, folder: Path, split: Callable[[np.ndarray, np.ndarray], np.ndarray], order: int = 1) -> Survey:
     """The tiny survey with the points of each epoch cut into other files."""
     folder.mkdir()
