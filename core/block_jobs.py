@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +17,6 @@ from .tile_jobs import HALO_HEIGHTS, MARGIN_HEIGHTS, Arrays, Block, job_key, loa
 from .tiles import PointCloud, Window, read_points
 from .unit_types import UnitType
 
-if TYPE_CHECKING:
-    from .gauss_helmert import Adjustment
-
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
@@ -29,8 +25,6 @@ SAME_UNIT_HEIGHTS = 0.4
 NEAR_FEATURE_HEIGHTS = 0.15
 """A feature point counts as observed if each of its legs holds points this near to it."""
 OBSERVED_CENTRE_COVERAGE = 0.05
-TIP_POINTS = 30
-"""Fewest points near the legs' ends from which the form of the ends is judged."""
 RADIUS_TOLERANCE, GRADIENT_TOLERANCE = 0.01, 0.01
 """Standard deviation of a unit's radius (relative) and gradient about the nominal shape, as prior observations."""
 
@@ -153,8 +147,6 @@ class FitJob:
             used = np.ones(len(points), dtype=np.bool_)
             try:
                 result = adjust(points, unit, _pose(table["poses"][k]), options=options)
-                if _cone_holds_to_the_end(points, result, unit):
-                    result = adjust(points, unit, result.pose, options=replace(options, tip=1.0))
             except InputError:
                 # too little is seen of it for an adjustment: it stays as segmented, as uncertain evidence without covariance
                 table["status"][k] = "uncertain"
@@ -362,21 +354,6 @@ def _table(
         "status": np.array(statuses, dtype="U12"),
         "misfit": np.array(misfits, dtype=np.float64),
     }
-
-
-def _cone_holds_to_the_end(points: FloatArray, result: Adjustment, unit: UnitType) -> bool:
-    """Whether the points past the usual limit of the cone, near the legs' ends, lie on the cone like all others.
-
-    Real legs end in rounded tips, where they do not; where they do, leaving them out would cost a fifth of the points.
-    """
-    from .gauss_helmert import TIP_RATIO
-    from .tetrapod import LATERAL
-
-    lateral = (result.legs >= 0) & (result.parts == LATERAL) & (np.abs(result.residuals) < 3.5 * result.noise)
-    directions = unit.leg_directions[result.legs[lateral]]
-    axial = np.einsum("ij,ij->i", result.pose.to_body(points[lateral]), directions)
-    beyond = result.residuals[lateral][(axial > TIP_RATIO * unit.leg_length) & (axial < unit.leg_length)]
-    return len(beyond) >= TIP_POINTS and abs(float(np.mean(beyond))) < 2 * result.noise / math.sqrt(len(beyond))
 
 
 def _row(pose: Pose) -> FloatArray:
