@@ -62,9 +62,11 @@ class FittedUnit:
     points, sources
         (n, 3), (n,) its points and their strips or stations; none where only the fit is known.
     covariance
-        (6, 6) of the fitted pose, used where there are no points.
+        (6, 6) of the fitted pose, used where there are no points or nothing ties the units.
     score
         Probability that it is a unit, 0 to 1.
+    n_points
+        Points that carry weight in the fit.
     """
 
     pose: Pose
@@ -76,6 +78,7 @@ class FittedUnit:
     sources: NDArray[np.integer]
     covariance: FloatArray | None = None
     score: float = 1.0
+    n_points: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -344,7 +347,10 @@ def _adjust(seen: Sequence[dict[int, FittedUnit]]) -> tuple[JointAdjustment, dic
             s = own[epoch]
             numbers[unit, epoch] = len(sightings)
             sightings.append(UnitSighting(unit, epoch, s.pose, s.points, s.sources, s.discs, s.shape))
-    if any(len(s.points) for s in sightings):
+    # one epoch from one station has neither offsets nor surfaces seen twice: nothing ties its units, and their own fits stand
+    tied = any(len(own) > 1 for own in seen) or len({(s.epoch, int(k)) for s in sightings for k in np.unique(s.sources)}) > 1
+    fitted = all(unit.covariance is not None for own in seen for unit in own.values())
+    if any(len(s.points) for s in sightings) and (tied or not fitted):
         return adjust_jointly(sightings), numbers
     return _as_fitted(seen, numbers), numbers
 
@@ -359,7 +365,8 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
         covariances[unit] = np.asarray(block_diag(*blocks), dtype=np.float64)
     epochs = 1 + max((epoch for _, epoch in numbers), default=-1)
     scales = dict.fromkeys(order, 0.0)
-    return JointAdjustment(poses, covariances, order, {}, {}, scales, np.full(epochs, math.nan), 0.0, np.zeros(len(poses), dtype=np.int64))
+    used = np.array([seen[unit][epoch].n_points for unit, epoch in numbers], dtype=np.int64)
+    return JointAdjustment(poses, covariances, order, {}, {}, scales, np.full(epochs, math.nan), 0.0, used)
 
 
 def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:

@@ -660,6 +660,7 @@ def _tracked_epoch(epoch: EpochUnits, registration: Registration | None, units: 
     known = None if registration is None else registration.transformation
     transformation = Transformation.identity(origin) if known is None else known
     table = epoch.table
+    turn = np.kron(np.eye(2), transformation.rotation)
     found: list[FittedUnit | None] = [None] * len(epoch)
     for row, points, sources in epoch.points():
         pose = transformation.apply_pose(epoch.pose(row)).shifted(-origin)
@@ -667,7 +668,10 @@ def _tracked_epoch(epoch: EpochUnits, registration: Registration | None, units: 
         certain = table["status"][row] == "found"
         placed = transformation.apply(points) - origin
         score = float(table["score"][row])
-        found[row] = FittedUnit(pose, units[kind], kind, certain, table["discs"][row], placed, sources, score=score)
+        own = table["covariance"][row][:6, :6]
+        covariance = turn @ own @ turn.T if np.isfinite(own).all() else None
+        n_points = int(table["n_points"][row])
+        found[row] = FittedUnit(pose, units[kind], kind, certain, table["discs"][row], placed, sources, covariance, score, n_points)
     return TrackedEpoch(
         epoch.plan.epoch.label,
         epoch.plan.epoch.time,
