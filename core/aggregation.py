@@ -41,15 +41,14 @@ def assign(
         close = nearer & (np.abs(relation.distance) < tolerance)
         labels[index[close]] = k
     if clearance > 0:
-        labels[_contested(points, labels, poses, unit, reach, clearance)] = -1
+        labels[contested(points, labels, poses, unit, clearance)] = -1
     return labels, distance
 
 
-def _contested(
-    points: FloatArray, labels: IntArray, poses: FloatArray, unit: UnitType, reach: float, clearance: float
-) -> NDArray[np.bool_]:
-    """(n,) whether the foot of a point on its own unit's surface is within ``clearance`` of another unit's surface."""
-    contested = np.zeros(len(points), dtype=np.bool_)
+def contested(points: FloatArray, labels: IntArray, poses: FloatArray, unit: UnitType, clearance: float) -> NDArray[np.bool_]:
+    """(n,) whether the foot of an assigned point on its own unit's surface is within ``clearance`` metres of another unit's surface."""
+    reach = float(np.hypot(unit.leg_length, unit.end_radius)) + clearance
+    near_another = np.zeros(len(points), dtype=np.bool_)
     near_units = cKDTree(poses[:, :3]).query_ball_point(poses[:, :3], 2 * reach)
     order = np.argsort(labels, kind="stable")
     starts = np.searchsorted(labels[order], np.arange(len(poses) + 1))
@@ -59,9 +58,9 @@ def _contested(
         relation = relate((points[own] - poses[k, :3]) @ rotation, unit)
         foot = points[own] - relation.distance[:, None] * (relation.normal @ rotation.T)
         for j in near_units[k]:
-            inside = np.flatnonzero(np.sum((foot - poses[j, :3]) ** 2, axis=1) < (reach + clearance) ** 2)
+            inside = np.flatnonzero(np.sum((foot - poses[j, :3]) ** 2, axis=1) < reach**2)
             if j == k or not len(inside):
                 continue
             other = relate((foot[inside] - poses[j, :3]) @ poses[j, 3:].reshape(3, 3), unit)
-            contested[own[inside[np.abs(other.distance) < clearance]]] = True
-    return contested
+            near_another[own[inside[np.abs(other.distance) < clearance]]] = True
+    return near_another

@@ -11,15 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .aggregation import assign
-from .crs import parse_crs, tile_transform
-from .displacement_rows import leg_length_of, read_epochs
+from .crs import tile_transform
+from .displacement_rows import leg_length_of
 from .errors import InputError, OutputError
 from .geopackage import replace_durably, temporary_beside
 from .pose import Pose
 from .result_tables import Row, read_layer_rows
 from .survey import Survey
-from .tiles import CHUNK_POINTS, TileInfo
-from .unit_refit import transformation_of
+from .tiles import TileInfo, tile_chunks, tile_crs
+from .unit_refit import epochs_of, transformation_of
 from .unit_types import UnitType
 from .workflow import Feedback, plan_survey
 
@@ -42,10 +42,7 @@ def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: F
     OutputError
         The folder cannot be written.
     """
-    infos = {info.label: info for info in read_epochs(result)}
-    missing = [epoch.label for epoch in survey.epochs if epoch.label not in infos]
-    if missing:
-        raise InputError(f"has no epoch {missing[0]}", source=result, remedy="Give the survey.toml this result was computed from.")
+    infos = epochs_of(survey, result)
     leg_length = leg_length_of(list(infos.values()))
     rows = [row for row in read_layer_rows(result, "units") if row["geom"] is not None and row["status"] != "uncertain"]
     plans = plan_survey(survey, feedback.part(0, 0.05))
@@ -82,7 +79,7 @@ def _write_tile(
 
     labelled = 0
     with laspy.open(str(tile.path), laz_backend=laspy.LazBackend.Lazrs) as reader:
-        crs = reader.header.parse_crs() or (parse_crs(tiles_crs) if tiles_crs else None)
+        crs = tile_crs(reader.header, tile.path, tiles_crs)
         corners = np.array([reader.header.mins, reader.header.maxs])
         transform = tile_transform(crs, survey_crs, corners, source=tile.path).apply
         names = set(reader.header.point_format.dimension_names)
@@ -99,7 +96,7 @@ def _write_tile(
         with temporary_beside(target.absolute()) as temporary:
             try:
                 with laspy.open(str(temporary), mode="w", header=header, laz_backend=laspy.LazBackend.Lazrs, do_compress=True) as writer:
-                    for chunk in reader.chunk_iterator(CHUNK_POINTS):
+                    for chunk in tile_chunks(reader, tile.path):
                         xyz = np.column_stack([chunk.x, chunk.y, chunk.z]).astype(np.float64, copy=False)
                         numbers = _numbers(to_control(xyz if transform is None else transform(xyz)), units, leg_length)
                         points = laspy.ScaleAwarePointRecord.zeros(len(chunk), header=header)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from .aggregation import assign
+from .aggregation import assign, contested
 from .assembly import (
     CELLS,
     CLOSE,
@@ -189,12 +189,11 @@ def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolera
     table = np.zeros((len(poses), 7))
     for _ in range(2):
         owner, _ = assign(elements.points, poses, unit, 2.5 * tolerance)
-        clear, _ = assign(elements.points, poses, unit, 2.5 * tolerance, clearance=CLEARANCE_IN_NOISE * elements.element_noise)
-        contested = clear != owner
+        doubtful = contested(elements.points, owner, poses, unit, CLEARANCE_IN_NOISE * elements.element_noise)
         for k in range(len(poses)):
             own = (owner == k) | (owner < 0)
             poses[k] = refine(
-                poses[k : k + 1], elements.points, elements.normals, own & ~contested, grid, unit, tolerance, most=1500, sweeps=20
+                poses[k : k + 1], elements.points, elements.normals, own & ~doubtful, grid, unit, tolerance, most=1500, sweeps=20
             )[0]
             table[k] = evidence(poses[k : k + 1], elements.points, elements.normals, sign, own, grid, unit, tolerance)[0]
     certainty = np.ones(len(poses))

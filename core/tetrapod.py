@@ -136,13 +136,7 @@ def surface_area(unit: UnitType) -> float:
     first, second = _across(unit)
     for k in range(4):
         radial = np.cos(azimuth)[:, None] * first[k] + np.sin(azimuth)[:, None] * second[k]
-        others = [m for m in range(4) if m != k]
-        a_k, a_m = unit.leg_directions[k], unit.leg_directions[others]
-        # crease: z a_k.(a_k - a_m) = rho radial.(a_m - a_k) with rho = r - c z, solved for z
-        lean = radial @ (a_m - a_k).T
-        gap = 1 - a_m @ a_k
-        start = np.max(unit.radius * lean / (gap + unit.gradient * lean), axis=1)
-        start = np.clip(start, 0, unit.leg_length)
+        start = np.clip(_crease(unit, k, radial), 0, unit.leg_length)
         rho0 = unit.radius - unit.gradient * start
         total += float(np.mean((rho0**2 - unit.end_radius**2) / (2 * unit.gradient))) * 2 * math.pi * slant
         total += math.pi * unit.end_radius**2
@@ -159,11 +153,8 @@ def mesh(unit: UnitType, segments: int = 48, rings: int = 12) -> tuple[FloatArra
     first, second = _across(unit)
     for k in range(4):
         radial = np.cos(azimuth)[:, None] * first[k] + np.sin(azimuth)[:, None] * second[k]
-        others = [m for m in range(4) if m != k]
-        a_k, a_m = unit.leg_directions[k], unit.leg_directions[others]
-        lean = radial @ (a_m - a_k).T
-        gap = 1 - a_m @ a_k
-        start = np.max(unit.radius * lean / (gap + unit.gradient * lean), axis=1)
+        a_k = unit.leg_directions[k]
+        start = _crease(unit, k, radial)
         t = np.linspace(0, 1, rings + 1)[:, None]
         z = start + t * (unit.leg_length - start)
         rho = unit.radius - unit.gradient * z
@@ -179,6 +170,15 @@ def mesh(unit: UnitType, segments: int = 48, rings: int = 12) -> tuple[FloatArra
         triangles.append(quads.astype(np.int64) + offset)
         offset += apex + 1
     return np.vstack(vertices), np.vstack(triangles)
+
+
+def _crease(unit: UnitType, leg: int, radial: FloatArray) -> FloatArray:
+    """(n,) axial coordinate, metres, at which a leg comes out of the joint in the directions ``radial`` (n, 3) across its axis."""
+    others = [m for m in range(4) if m != leg]
+    a_k, a_m = unit.leg_directions[leg], unit.leg_directions[others]
+    # crease: z a_k.(a_k - a_m) = rho radial.(a_m - a_k) with rho = r - c z, solved for z
+    lean = radial @ (a_m - a_k).T
+    return np.asarray(np.max(unit.radius * lean / (1 - a_m @ a_k + unit.gradient * lean), axis=1))
 
 
 def _across(unit: UnitType) -> tuple[FloatArray, FloatArray]:

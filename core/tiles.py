@@ -162,7 +162,7 @@ def inspect_tile(path: str | Path, survey_crs: str | None, *, tiles_crs: str | N
         low, high = np.asarray(header.mins, dtype=np.float64), np.asarray(header.maxs, dtype=np.float64)
         if not (np.isfinite([low, high]).all() and (low <= high).all()):
             raise InputError("has an impossible extent in its header", source=source, remedy=_REMEDY_DAMAGED)
-        crs = _tile_crs(header, source, tiles_crs)
+        crs = tile_crs(header, source, tiles_crs)
         copc = any(vlr.user_id == "copc" and vlr.record_id == 1 for vlr in header.vlrs)
         transform = TileTransform(None) if survey_crs is None else tile_transform(crs, survey_crs, _corners(low, high), source=source)
         if transform.apply is not None:
@@ -263,13 +263,13 @@ def _read_tile(
     _check_header(tile.path)
     with _open(tile.path) as reader:
         header = reader.header
-        crs = _tile_crs(header, tile.path, tiles_crs)
+        crs = tile_crs(header, tile.path, tiles_crs)
         low, high = np.asarray(header.mins, dtype=np.float64), np.asarray(header.maxs, dtype=np.float64)
         transform = tile_transform(crs, survey_crs, _corners(low, high), source=tile.path).apply
         if tile.copc and window is not None and transform is None:
             chunks = _copc_chunks(tile.path, window)
         else:
-            chunks = _chunks(reader, tile.path)
+            chunks = tile_chunks(reader, tile.path)
         slack = 2 * np.asarray(header.scales) + 1e-9
         for chunk in chunks:
             if is_cancelled():
@@ -291,7 +291,7 @@ def _read_tile(
             yield xyz[keep] - origin, np.asarray(chunk.point_source_id, dtype=np.uint16)[keep], np.nan_to_num(time)
 
 
-def _chunks(reader: Any, path: Path) -> Iterator[Any]:
+def tile_chunks(reader: Any, path: Path) -> Iterator[Any]:
     """All points of an open tile by chunks; fewer than the header promises is an error."""
     total = 0
     chunks = reader.chunk_iterator(CHUNK_POINTS)
@@ -340,7 +340,7 @@ def _open(path: Path) -> Any:
         raise _damaged(path, error) from error
 
 
-def _tile_crs(header: Any, path: Path, tiles_crs: str | None) -> CRS | None:
+def tile_crs(header: Any, path: Path, tiles_crs: str | None) -> CRS | None:
     """CRS of the header's WKT or GeoTIFF keys, else the one to assume; None where there is neither."""
     from pyproj.exceptions import CRSError
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
 from .control import Transformation
-from .displacement_rows import leg_length_of, read_epochs
+from .displacement_rows import EpochInfo, leg_length_of, read_epochs
 from .errors import InputError
 from .gauss_helmert import AdjustmentOptions, adjust
 from .pose import Pose
@@ -41,10 +41,7 @@ def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[
     InputError
         Survey and result do not belong together, or a tile is damaged.
     """
-    infos = {info.label: info for info in read_epochs(result)}
-    missing = [epoch.label for epoch in survey.epochs if epoch.label not in infos]
-    if missing:
-        raise InputError(f"has no epoch {missing[0]}", source=result, remedy="Give the survey.toml this result was computed from.")
+    infos = epochs_of(survey, result)
     centres = [row["geom"] for row in read_layer_rows(result, "units") if row["geom"] is not None]
     height = max(unit.type.height for unit in survey.units)
     plans = plan_survey(survey, feedback.part(0.0, 0.05))
@@ -128,6 +125,21 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
     )
     set_pose(result, unit_id, epoch, new, editor=editor, comment="fitted again at a place shown by the user")
     return {"unit_id": unit_id, "epoch": epoch, "n_points": new.n_points, "score": detected.score, "sigma0": fitted.sigma0}
+
+
+def epochs_of(survey: Survey, result: Path) -> dict[str, EpochInfo]:
+    """Epochs of a result by label, all of the survey's among them.
+
+    Raises
+    ------
+    InputError
+        Survey and result do not belong together.
+    """
+    infos = {info.label: info for info in read_epochs(result)}
+    missing = [epoch.label for epoch in survey.epochs if epoch.label not in infos]
+    if missing:
+        raise InputError(f"has no epoch {missing[0]}", source=result, remedy="Give the survey.toml this result was computed from.")
+    return infos
 
 
 def transformation_of(record: Mapping[str, Any]) -> Transformation | None:

@@ -57,7 +57,7 @@ def select(
         return evidence(poses, elements.points, elements.normals, sign, active, grid, unit, tolerance)
 
     table = judge(candidates)
-    value = table[:, SUPPORT] - 3 * table[:, INSIDE]
+    value = np.array([worth(row) for row in table])
     good = np.flatnonzero([plausible(row, tolerance) for row in table])
     good = good[np.argsort(-value[good], kind="stable")]
     good = good[_without_copies(candidates[good], unit.symmetries, 0.08 * unit.height, np.cos(np.radians(10)))]
