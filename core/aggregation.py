@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from .neighbourhood import build_grid
 from .tetrapod import relate
 from .unit_types import UnitType
 
@@ -31,10 +32,10 @@ def assign(
     distance = np.full(len(points), np.inf)
     if not len(poses) or not len(points):
         return labels, distance
-    tree = cKDTree(points)
-    reach = float(np.hypot(unit.leg_length, unit.end_radius)) + tolerance
-    for k, near in enumerate(tree.query_ball_point(poses[:, :3], reach)):
-        index = np.asarray(near, dtype=np.int64)
+    reach = unit.reach + tolerance
+    grid = build_grid(points, 0.25 * reach)
+    for k in range(len(poses)):
+        index = grid.within(points, poses[k, :3], reach)
         relation = relate((points[index] - poses[k, :3]) @ poses[k, 3:].reshape(3, 3), unit)
         nearer = np.abs(relation.distance) < np.abs(distance[index])
         distance[index[nearer]] = relation.distance[nearer]
@@ -47,7 +48,7 @@ def assign(
 
 def contested(points: FloatArray, labels: IntArray, poses: FloatArray, unit: UnitType, clearance: float) -> NDArray[np.bool_]:
     """(n,) whether the foot of an assigned point on its own unit's surface is within ``clearance`` metres of another unit's surface."""
-    reach = float(np.hypot(unit.leg_length, unit.end_radius)) + clearance
+    reach = unit.reach + clearance
     near_another = np.zeros(len(points), dtype=np.bool_)
     near_units = cKDTree(poses[:, :3]).query_ball_point(poses[:, :3], 2 * reach)
     order = np.argsort(labels, kind="stable")

@@ -8,11 +8,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from .conic_ransac import Legs
+from .kernels import kernel
 from .neighbourhood import Grid, gather
 from .unit_types import UnitType
 
@@ -115,7 +116,7 @@ def evidence(
     return table
 
 
-@njit(cache=True)
+@kernel()
 def _relate(x: Any, y: Any, z: Any, legs: Any, radius: float, gradient: float, length: float) -> Any:
     """Leg, signed distance, part (0 lateral, 1 end disc), axial coordinate and distance from the axis, in the body frame."""
     leg = 0
@@ -136,7 +137,52 @@ def _relate(x: Any, y: Any, z: Any, legs: Any, radius: float, gradient: float, l
     return leg, lateral, 0, axial, rho
 
 
-@njit(cache=True, parallel=True)
+@kernel()
+def _farther(x: float, y: float, z: float, legs: Any, radius: float, gradient: float, length: float, limit: float) -> bool:
+    """Whether a point of the body frame surely lies farther than ``limit`` outside: a quick look before :func:`_relate`."""
+    axial = max(
+        max(x * legs[0, 0] + y * legs[0, 1] + z * legs[0, 2], x * legs[1, 0] + y * legs[1, 1] + z * legs[1, 2]),
+        max(x * legs[2, 0] + y * legs[2, 1] + z * legs[2, 2], x * legs[3, 0] + y * legs[3, 1] + z * legs[3, 2]),
+    )
+    widest = radius - gradient * axial + limit * np.sqrt(1.0 + gradient * gradient)
+    return bool(axial > length + limit or x * x + y * y + z * z - axial * axial > widest * widest)
+
+
+@kernel()
+def _normal_at(
+    x: float, y: float, z: float, leg: int, part: int, axial: float, rho: float, legs: Any, gradient: float, cosine: float
+) -> Any:  # fmt: skip
+    """Outward normal of the lateral surface (part 0) or end disc (1) of a leg, body frame."""
+    ax, ay, az = legs[leg, 0], legs[leg, 1], legs[leg, 2]
+    if part == 1:
+        return ax, ay, az
+    along = gradient - axial / rho
+    return (x / rho + along * ax) * cosine, (y / rho + along * ay) * cosine, (z / rho + along * az) * cosine
+
+
+@kernel()
+def _twist_support(local: Any, turned: Any, shift: float, radius: float, gradient: float, length: float, tolerance: float) -> float:
+    """Elements on the surface less those inside the solid; ``local`` (3, m) about a leg, ``turned`` (4, 3) the legs in that frame."""
+    cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
+    edge = radius - gradient * length
+    a0, a1, a2 = turned[0, 0], turned[0, 1], turned[0, 2]
+    b0, b1, b2 = turned[1, 0], turned[1, 1], turned[1, 2]
+    c0, c1, c2 = turned[2, 0], turned[2, 1], turned[2, 2]
+    d0, d1, d2 = turned[3, 0], turned[3, 1], turned[3, 2]
+    total = 0.0
+    # no branches: the loop runs in vector registers
+    for q in range(local.shape[1]):
+        x, y, z = local[0, q], local[1, q], local[2, q] - shift
+        axial = max(max(x * a0 + y * a1 + z * a2, x * b0 + y * b1 + z * b2), max(x * c0 + y * c1 + z * c2, x * d0 + y * d1 + z * d2))
+        rho = np.sqrt(max(x * x + y * y + z * z - axial * axial, 0.0))
+        distance = max((rho - radius + gradient * axial) * cosine, axial - length)
+        beside = (axial > length) & (rho > edge)
+        total += 1.0 if (distance < 2.0 * tolerance) & (not beside) else 0.0
+        total -= 2.0 if distance < -2.5 * tolerance else 0.0
+    return total
+
+
+@kernel(parallel=True)
 def _twist_search(
     axes: Any, centres: Any, reaches: Any, points: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
     legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
@@ -152,33 +198,28 @@ def _twist_search(
         e1 = np.cross(axis, help_axis)
         e1 /= np.sqrt(np.sum(e1 * e1))
         e2 = np.cross(axis, e1)
-        local = np.empty((m, 3))
+        local = np.empty((3, m))
         for q in range(m):
             d0 = points[near[q], 0] - centres[i, 0]
             d1 = points[near[q], 1] - centres[i, 1]
             d2 = points[near[q], 2] - centres[i, 2]
-            local[q, 0] = d0 * e1[0] + d1 * e1[1] + d2 * e1[2]
-            local[q, 1] = d0 * e2[0] + d1 * e2[1] + d2 * e2[2]
-            local[q, 2] = d0 * axis[0] + d1 * axis[1] + d2 * axis[2]
+            local[0, q] = d0 * e1[0] + d1 * e1[1] + d2 * e1[2]
+            local[1, q] = d0 * e2[0] + d1 * e2[1] + d2 * e2[2]
+            local[2, q] = d0 * axis[0] + d1 * axis[1] + d2 * axis[2]
         steps = max(1, int(np.ceil(reaches[i] / (0.035 * height))))
         best = np.full(2, -1e300)
         best_z = np.zeros(2)
         best_t = np.zeros(2)
+        turned = np.empty((4, 3))
         for t in range(twists):
             angle = t * (2.0 * np.pi / 3.0) / twists
             ca = np.cos(angle)
             sa = np.sin(angle)
+            for k in range(4):
+                turned[k, 0], turned[k, 1], turned[k, 2] = ca * legs[k, 0] - sa * legs[k, 1], sa * legs[k, 0] + ca * legs[k, 1], legs[k, 2]
             for k in range(-steps, steps + 1):
                 shift = k * reaches[i] / steps
-                total = 0.0
-                for q in range(m):
-                    x = ca * local[q, 0] + sa * local[q, 1]
-                    y = -sa * local[q, 0] + ca * local[q, 1]
-                    _, dist, part, _, _ = _relate(x, y, local[q, 2] - shift, legs, radius, gradient, length)
-                    if dist < -2.5 * tolerance:
-                        total -= 1.0
-                    elif dist < 2.0 * tolerance and part < 2:
-                        total += 1.0
+                total = _twist_support(local, turned, shift, radius, gradient, length, tolerance)
                 far = 1.0
                 if best[0] > -1e299:
                     turn = abs(angle - best_t[0])
@@ -202,7 +243,7 @@ def _twist_search(
     return out
 
 
-@njit(cache=True, parallel=True)
+@kernel(parallel=True)
 def _refine_many(
     poses: Any, points: Any, normals: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
     legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float, most: int, sweeps: int,
@@ -214,7 +255,7 @@ def _refine_many(
         )  # fmt: skip
 
 
-@njit(cache=True)
+@kernel()
 def _refine_one(
     pose: Any, points: Any, normals: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
     legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float, most: int, sweeps: int,
@@ -222,44 +263,53 @@ def _refine_one(
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
     near = gather(points, active, pose[0:3], 0.8 * height, start, order, origin, size, cell, most)
     m = len(near)
-    centre = pose[0:3].copy()
+    local = np.empty((m, 6))
+    for q in range(m):
+        for a in range(3):
+            local[q, a] = points[near[q], a] - pose[a]
+            local[q, 3 + a] = normals[near[q], a]
+    centre = np.zeros(3)
     rot = pose[3:12].copy().reshape(3, 3)
+    normal = np.empty((6, 6))
+    right = np.empty(6)
     row = np.empty(6)
     for sweep in range(sweeps):
         limit = tolerance * max(1.5, 4.0 - 0.5 * sweep)
-        normal = np.zeros((6, 6))
-        right = np.zeros(6)
+        normal[:, :] = 0.0
+        right[:] = 0.0
+        r00, r01, r02 = rot[0, 0], rot[0, 1], rot[0, 2]
+        r10, r11, r12 = rot[1, 0], rot[1, 1], rot[1, 2]
+        r20, r21, r22 = rot[2, 0], rot[2, 1], rot[2, 2]
         for q in range(m):
-            p = points[near[q]]
-            d = p - centre
-            x = d[0] * rot[0, 0] + d[1] * rot[1, 0] + d[2] * rot[2, 0]
-            y = d[0] * rot[0, 1] + d[1] * rot[1, 1] + d[2] * rot[2, 1]
-            z = d[0] * rot[0, 2] + d[1] * rot[1, 2] + d[2] * rot[2, 2]
+            d0, d1, d2 = local[q, 0] - centre[0], local[q, 1] - centre[1], local[q, 2] - centre[2]
+            x = d0 * r00 + d1 * r10 + d2 * r20
+            y = d0 * r01 + d1 * r11 + d2 * r21
+            z = d0 * r02 + d1 * r12 + d2 * r22
+            if _farther(x, y, z, legs, radius, gradient, length, limit):
+                continue
             leg, dist, part, axial, rho = _relate(x, y, z, legs, radius, gradient, length)
             if part == 2 or abs(dist) > limit or rho < 1e-9:
                 continue
-            if part == 1:
-                nx, ny, nz = legs[leg, 0], legs[leg, 1], legs[leg, 2]
-            else:
-                nx = ((x - axial * legs[leg, 0]) / rho + gradient * legs[leg, 0]) * cosine
-                ny = ((y - axial * legs[leg, 1]) / rho + gradient * legs[leg, 1]) * cosine
-                nz = ((z - axial * legs[leg, 2]) / rho + gradient * legs[leg, 2]) * cosine
-            gx = rot[0, 0] * nx + rot[0, 1] * ny + rot[0, 2] * nz
-            gy = rot[1, 0] * nx + rot[1, 1] * ny + rot[1, 2] * nz
-            gz = rot[2, 0] * nx + rot[2, 1] * ny + rot[2, 2] * nz
-            v = normals[near[q]]
-            if abs(gx * v[0] + gy * v[1] + gz * v[2]) < 0.75:
+            nx, ny, nz = _normal_at(x, y, z, leg, part, axial, rho, legs, gradient, cosine)
+            gx = r00 * nx + r01 * ny + r02 * nz
+            gy = r10 * nx + r11 * ny + r12 * nz
+            gz = r20 * nx + r21 * ny + r22 * nz
+            if abs(gx * local[q, 3] + gy * local[q, 4] + gz * local[q, 5]) < 0.75:
                 continue
             w = (1.0 - (dist / limit) ** 2) ** 2
             # moving the unit by dX changes the distance by -n.dX; turning it by dw by -(d x n).dw
             row[0], row[1], row[2] = -gx, -gy, -gz
-            row[3] = -(d[1] * gz - d[2] * gy) / height
-            row[4] = -(d[2] * gx - d[0] * gz) / height
-            row[5] = -(d[0] * gy - d[1] * gx) / height
+            row[3] = -(d1 * gz - d2 * gy) / height
+            row[4] = -(d2 * gx - d0 * gz) / height
+            row[5] = -(d0 * gy - d1 * gx) / height
             for a in range(6):
-                right[a] -= w * row[a] * dist
-                for b in range(6):
-                    normal[a, b] += w * row[a] * row[b]
+                weighted = w * row[a]
+                right[a] -= weighted * dist
+                for b in range(a + 1):
+                    normal[a, b] += weighted * row[b]
+        for a in range(6):
+            for b in range(a):
+                normal[b, a] = normal[a, b]
         weight = normal[0, 0] + normal[1, 1] + normal[2, 2]
         if weight < 5.0:
             break
@@ -290,12 +340,12 @@ def _refine_one(
         if sweep > 5 and angle < 1e-4 and abs(step[0]) + abs(step[1]) + abs(step[2]) < 1e-4 * height:
             break
     for a in range(3):
-        pose[a] = centre[a]
+        pose[a] += centre[a]
         for b in range(3):
             pose[3 + 3 * a + b] = rot[a, b]
 
 
-@njit(cache=True, parallel=True)
+@kernel(parallel=True)
 def _evidence_of_many(
     poses: Any, points: Any, normals: Any, sign: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
     legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
@@ -309,7 +359,7 @@ def _evidence_of_many(
     return out
 
 
-@njit(cache=True)
+@kernel()
 def _evidence_of_one(
     out: Any, pose: Any, points: Any, normals: Any, sign: Any, active: Any, start: Any, order: Any, origin: Any, size: Any,
     cell: float, legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
@@ -348,6 +398,8 @@ def _evidence_of_one(
                 x = d0 * pose[3] + d1 * pose[6] + d2 * pose[9]
                 y = d0 * pose[4] + d1 * pose[7] + d2 * pose[10]
                 z = d0 * pose[5] + d1 * pose[8] + d2 * pose[11]
+                if _farther(x, y, z, legs, radius, gradient, length, 6.0 * tolerance):
+                    continue
                 leg, dist, part, axial, rho = _relate(x, y, z, legs, radius, gradient, length)
                 if dist < -max(3.0 * tolerance, 0.03 * height):
                     if axial > outer:
@@ -362,12 +414,7 @@ def _evidence_of_one(
                 if part == 2 or abs(dist) > 2.0 * tolerance or rho < 1e-9:
                     continue
                 out[1] += 1
-                if part == 1:
-                    nx, ny, nz = legs[leg, 0], legs[leg, 1], legs[leg, 2]
-                else:
-                    nx = ((x - axial * legs[leg, 0]) / rho + gradient * legs[leg, 0]) * cosine
-                    ny = ((y - axial * legs[leg, 1]) / rho + gradient * legs[leg, 1]) * cosine
-                    nz = ((z - axial * legs[leg, 2]) / rho + gradient * legs[leg, 2]) * cosine
+                nx, ny, nz = _normal_at(x, y, z, leg, part, axial, rho, legs, gradient, cosine)
                 agree = nx * (pose[3] * normals[q, 0] + pose[6] * normals[q, 1] + pose[9] * normals[q, 2])
                 agree += ny * (pose[4] * normals[q, 0] + pose[7] * normals[q, 1] + pose[10] * normals[q, 2])
                 agree += nz * (pose[5] * normals[q, 0] + pose[8] * normals[q, 1] + pose[11] * normals[q, 2])

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.stats import chi2
+from scipy.special import chdtri
 
 from .errors import InputError
 from .gauss_helmert import Adjustment, AdjustmentOptions, adjust
@@ -114,7 +114,7 @@ def calibrate(
     _, covariance, between = _combine(shapes[used], covariances[used])
     # the median to begin with: one strange unit must not put the mean where all others look strange
     mean = np.median(shapes[used], axis=0)
-    limit = chi2.ppf(REJECTION, 2)
+    limit = float(chdtri(2, 1 - REJECTION))
     for _ in range(10):
         offsets = shapes - mean
         spread = covariances + np.diag(between**2)

@@ -18,9 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
-from scipy.special import gammaln
-from scipy.stats import chi2
-from scipy.stats import f as f_distribution
+from scipy.special import chdtrc, fdtrc, gammaln
 
 from .control import rigid_jacobian
 
@@ -59,7 +57,7 @@ class NullModel:
 
 def f_p_value(statistics: FloatArray, tail: float) -> FloatArray:
     """p-values of quadratic forms of three components whose variance has ``tail`` degrees of freedom."""
-    return np.asarray(f_distribution.sf(np.asarray(statistics) / 3, 3, tail))
+    return np.asarray(fdtrc(3, tail, np.asarray(statistics) / 3))
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,8 +171,8 @@ def congruence_of(
     return Congruence(
         origin, theta, cofactor, sigma if known else np.zeros((7, 7)), stable, null, statistics, p_values,
         control, f_p_value(control, tail), tail,
-        global_statistic, global_degrees, float(chi2.sf(global_statistic, global_degrees)) if global_degrees else 1.0, common,
-        float(f_distribution.sf(common / 6, 6, min(degrees, 1e6) or 1e6)) if math.isfinite(common) else math.nan,
+        global_statistic, global_degrees, float(chdtrc(global_degrees, global_statistic)) if global_degrees else 1.0, common,
+        float(fdtrc(6, min(degrees, 1e6) or 1e6, common / 6)) if math.isfinite(common) else math.nan,
     )  # fmt: skip
 
 

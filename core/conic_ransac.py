@@ -12,9 +12,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 from numpy.typing import NDArray
 
+from .kernels import kernel
 from .neighbourhood import Grid, gather
 from .surface_elements import SurfaceElements
 from .unit_types import UnitType
@@ -28,6 +29,10 @@ NEIGHBOURHOOD_RATIO = 0.26
 """Radius of the neighbourhood a leg is looked for in: less than the length of a leg's cone, 0.477 H."""
 MOST_NEIGHBOURS = 110
 PAIRS = 40
+FEWEST_ON_LEG = 10
+"""Elements of a neighbourhood that must agree with a cone for a leg."""
+LEAST_AGREEMENT = 0.85
+"""Cosine of the largest angle between the normal of an element and that of the surface it lies on."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,9 +73,8 @@ def find_legs(elements: SurfaceElements, active: NDArray[np.bool_], grid: Grid, 
         Of the random draws; every seed place has a stream of its own, so that the result does not depend on threads.
     """
     seeds = spread(elements.points, np.flatnonzero(active), SEED_SPACING_RATIO * unit.height)
-    sign = np.where(elements.oriented, 1, 0).astype(np.int8)
     found = _search(
-        elements.points, elements.normals, sign, active, seeds, grid.start, grid.order, grid.origin, grid.size, grid.cell,
+        elements.points, elements.normals, elements.oriented, active, seeds, grid.start, grid.order, grid.origin, grid.size, grid.cell,
         NEIGHBOURHOOD_RATIO * unit.height, unit.radius, unit.gradient, unit.leg_length, tolerance, seed,
     )  # fmt: skip
     good = found[:, 7] > 0
@@ -96,216 +100,280 @@ def spread(points: FloatArray, candidates: IntArray, spacing: float) -> IntArray
     return np.asarray(candidates[order[first]])
 
 
-@njit(cache=True)
+@kernel()
 def _solve5(a: Any, b: Any) -> Any:
     for i in range(5):
         a[i, i] += 1e-12 + 1e-9 * a[i, i]
     return np.linalg.solve(a, b)
 
 
-@njit(cache=True, parallel=True)
-def _search(
-    points: Any, normals: Any, sign: Any, active: Any, seeds: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
-    reach: float, radius: float, gradient: float, length: float, tolerance: float, seed: int,
-) -> Any:  # fmt: skip
-    out = np.zeros((len(seeds), 8))
+@kernel()
+def _across(x: float, y: float, z: float) -> Any:
+    """Two unit vectors that complete a unit vector to a right-handed frame."""
+    if abs(x) < 0.8:
+        f1, f2, f3 = 0.0, z, -y
+    else:
+        f1, f2, f3 = -z, 0.0, x
+    size = np.sqrt(f1 * f1 + f2 * f2 + f3 * f3)
+    f1, f2, f3 = f1 / size, f2 / size, f3 / size
+    return f1, f2, f3, y * f3 - z * f2, z * f1 - x * f3, x * f2 - y * f1
+
+
+@kernel()
+def _count_on_cone(
+    near: Any, ax: float, ay: float, az: float, fx: float, fy: float, fz: float, rho: float, gradient: float, window: float
+) -> int:  # fmt: skip
+    """Elements within ``window`` of a cone whose normals agree; rows of ``near``: position (3), normal (3), 1 where its sign is open."""
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
     sine = gradient * cosine
+    count = 0
+    # no branches and no products of arrays: the loop runs in vector registers
+    for q in range(near.shape[1]):
+        x, y, z = near[0, q] - fx, near[1, q] - fy, near[2, q] - fz
+        t = x * ax + y * ay + z * az
+        x, y, z = x - t * ax, y - t * ay, z - t * az
+        rr = np.sqrt(x * x + y * y + z * z + 1e-18)
+        away = (rr - rho + gradient * t) * cosine
+        agree = (x * near[3, q] + y * near[4, q] + z * near[5, q]) / rr * cosine
+        agree += sine * (ax * near[3, q] + ay * near[4, q] + az * near[5, q])
+        agree = max(agree, -near[6, q] * agree)
+        count += 1 if (abs(away) <= window) & (agree > LEAST_AGREEMENT) else 0
+    return count
+
+
+@kernel()
+def _best_cone(near: Any, rho_low: float, rho_high: float, gradient: float, tolerance: float, state: Any, cone: Any) -> int:
+    """Best cone through pairs of elements drawn at random into ``cone``: axis (3), foot (3), radius at the foot; returns its support."""
+    m = near.shape[1]
+    cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
+    sine = gradient * cosine
+    best = 0
+    for draw in range(PAIRS):
+        # four elements of five on one cone: more draws will not find a better leg here
+        if draw >= 10 and best > 0.8 * m:
+            break
+        state = state * np.uint64(6364136223846793005) + np.uint64(1442695040888963407)
+        i = int((state >> np.uint64(33)) % np.uint64(m))
+        state = state * np.uint64(6364136223846793005) + np.uint64(1442695040888963407)
+        j = int((state >> np.uint64(33)) % np.uint64(m))
+        if i == j:
+            continue
+        si = -1.0 if near[6, i] > 0.0 and (state >> np.uint64(20)) & np.uint64(1) else 1.0
+        sj = -1.0 if near[6, j] > 0.0 and (state >> np.uint64(21)) & np.uint64(1) else 1.0
+        n1x, n1y, n1z = si * near[3, i], si * near[4, i], si * near[5, i]
+        n2x, n2y, n2z = sj * near[3, j], sj * near[4, j], sj * near[5, j]
+        d = n1x * n2x + n1y * n2y + n1z * n2z
+        if d > 0.90 or d < -0.90:
+            continue
+        alpha = sine / (1.0 + d)
+        rest = 1.0 - 2.0 * sine * sine / (1.0 + d)
+        if rest <= 0.0:
+            continue
+        beta = np.sqrt(rest / (1.0 - d * d))
+        wx, wy, wz = n1y * n2z - n1z * n2y, n1z * n2x - n1x * n2z, n1x * n2y - n1y * n2x
+        gx, gy, gz = near[0, i] - near[0, j], near[1, i] - near[1, j], near[2, i] - near[2, j]
+        # the radial directions differ as the normals do
+        dx, dy, dz = (n1x - n2x) / cosine, (n1y - n2y) / cosine, (n1z - n2z) / cosine
+        dd = dx * dx + dy * dy + dz * dz
+        for side in range(2):
+            b = beta if side == 0 else -beta
+            ax, ay, az = alpha * (n1x + n2x) + b * wx, alpha * (n1y + n2y) + b * wy, alpha * (n1z + n2z) + b * wz
+            u1x, u1y, u1z = (n1x - sine * ax) / cosine, (n1y - sine * ay) / cosine, (n1z - sine * az) / cosine
+            u2x, u2y, u2z = (n2x - sine * ax) / cosine, (n2y - sine * ay) / cosine, (n2z - sine * az) / cosine
+            # p = foot + t axis + (rho0 - c t) u for both points, t from the seed's plane: the part across the axis gives rho0
+            t1 = near[0, i] * ax + near[1, i] * ay + near[2, i] * az
+            t2 = near[0, j] * ax + near[1, j] * ay + near[2, j] * az
+            cx = gx - (t1 - t2) * ax + gradient * (t1 * u1x - t2 * u2x)
+            cy = gy - (t1 - t2) * ay + gradient * (t1 * u1y - t2 * u2y)
+            cz = gz - (t1 - t2) * az + gradient * (t1 * u1z - t2 * u2z)
+            rho0 = (cx * dx + cy * dy + cz * dz) / dd
+            if rho0 < 0.8 * rho_low or rho0 > 1.15 * rho_high:
+                continue
+            mx, my, mz = cx - rho0 * dx, cy - rho0 * dy, cz - rho0 * dz
+            if mx * mx + my * my + mz * mz > 16.0 * tolerance * tolerance:
+                continue
+            out = rho0 - gradient * t1
+            fx, fy, fz = near[0, i] - t1 * ax - out * u1x, near[1, i] - t1 * ay - out * u1y, near[2, i] - t1 * az - out * u1z
+            count = _count_on_cone(near, ax, ay, az, fx, fy, fz, rho0, gradient, 1.5 * tolerance)
+            if count > best:
+                best = count
+                cone[0], cone[1], cone[2] = ax, ay, az
+                cone[3], cone[4], cone[5], cone[6] = fx, fy, fz, rho0
+    return best
+
+
+@kernel()
+def _fit_cone(near: Any, gradient: float, tolerance: float, cone: Any) -> Any:
+    """Least squares on the agreeing elements, in place: turn of the axis (2), shift across it (2), radius.
+
+    Returns the support, the elements near the cone, the standard deviation of the radius and the share of the turn that holds support.
+    """
+    cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
+    sine = gradient * cosine
+    normal = np.empty((5, 5))
+    right = np.empty(5)
+    support = 0
+    reached = 0
+    for sweep in range(6):
+        ax, ay, az, fx, fy, fz, rho = cone[0], cone[1], cone[2], cone[3], cone[4], cone[5], cone[6]
+        e1x, e1y, e1z, e2x, e2y, e2z = _across(ax, ay, az)
+        limit = tolerance * (2.0 if sweep < 2 else 1.2)
+        n00 = n01 = n02 = n03 = n04 = n11 = n12 = n13 = n14 = n22 = n23 = n24 = n33 = n34 = 0.0
+        r0 = r1 = r2 = r3 = r4 = 0.0
+        support = 0
+        reached = 0
+        squares = 0.0
+        sectors = 0
+        for q in range(near.shape[1]):
+            x, y, z = near[0, q] - fx, near[1, q] - fy, near[2, q] - fz
+            t = x * ax + y * ay + z * az
+            y1 = x * e1x + y * e1y + z * e1z
+            y2 = x * e2x + y * e2y + z * e2z
+            rr = np.sqrt(y1 * y1 + y2 * y2)
+            if rr < 1e-9:
+                continue
+            away = (rr - rho + gradient * t) * cosine
+            if -3.0 * tolerance < away < 6.0 * tolerance:
+                reached += 1
+            if abs(away) > limit:
+                continue
+            nx, ny, nz = near[3, q], near[4, q], near[5, q]
+            c1 = y1 / rr
+            c2 = y2 / rr
+            agree = (c1 * (e1x * nx + e1y * ny + e1z * nz) + c2 * (e2x * nx + e2y * ny + e2z * nz)) * cosine
+            agree += sine * (ax * nx + ay * ny + az * nz)
+            if max(agree, -near[6, q] * agree) <= LEAST_AGREEMENT:
+                continue
+            # turning the axis towards e1 by w moves the axis by w t: d(rr) = -c1 t w, d(t) = y1 w
+            a0 = (-c1 * t + gradient * y1) * cosine
+            a1 = (-c2 * t + gradient * y2) * cosine
+            a2 = -c1 * cosine
+            a3 = -c2 * cosine
+            a4 = -cosine
+            r0 -= a0 * away
+            r1 -= a1 * away
+            r2 -= a2 * away
+            r3 -= a3 * away
+            r4 -= a4 * away
+            n00 += a0 * a0
+            n01 += a0 * a1
+            n02 += a0 * a2
+            n03 += a0 * a3
+            n04 += a0 * a4
+            n11 += a1 * a1
+            n12 += a1 * a2
+            n13 += a1 * a3
+            n14 += a1 * a4
+            n22 += a2 * a2
+            n23 += a2 * a3
+            n24 += a2 * a4
+            n33 += a3 * a3
+            n34 += a3 * a4
+            support += 1
+            squares += away * away
+            if sweep == 5:
+                sectors |= 1 << int((np.arctan2(y2, y1) + np.pi) / (2 * np.pi) * 23.999)
+        if support < FEWEST_ON_LEG:
+            break
+        normal[0, 0], normal[0, 1], normal[0, 2], normal[0, 3], normal[0, 4] = n00, n01, n02, n03, n04
+        normal[1, 1], normal[1, 2], normal[1, 3], normal[1, 4] = n11, n12, n13, n14
+        normal[2, 2], normal[2, 3], normal[2, 4] = n22, n23, n24
+        normal[3, 3], normal[3, 4] = n33, n34
+        # a weak prior keeps the solution on the leg where the arc is short
+        normal[4, 4] = support * cosine * cosine + 0.02 * support
+        for a in range(5):
+            for b in range(a):
+                normal[a, b] = normal[b, a]
+        if sweep == 5:
+            variance = np.linalg.inv(normal)[4, 4] * max(squares / support, (0.2 * tolerance) ** 2)
+            filled = 0
+            for k in range(24):
+                filled += (sectors >> k) & 1
+            return support, reached, np.sqrt(max(variance, 0.0)), filled / 24.0
+        right[0], right[1], right[2], right[3], right[4] = r0, r1, r2, r3, r4
+        step = _solve5(normal, right)
+        turn = max(np.sqrt(step[0] ** 2 + step[1] ** 2), 1e-12)
+        scale = min(1.0, 0.2 / turn)
+        ax += scale * (step[0] * e1x + step[1] * e2x)
+        ay += scale * (step[0] * e1y + step[1] * e2y)
+        az += scale * (step[0] * e1z + step[1] * e2z)
+        size = np.sqrt(ax * ax + ay * ay + az * az)
+        cone[0], cone[1], cone[2] = ax / size, ay / size, az / size
+        cone[3] = fx + scale * (step[2] * e1x + step[3] * e2x)
+        cone[4] = fy + scale * (step[2] * e1y + step[3] * e2y)
+        cone[5] = fz + scale * (step[2] * e1z + step[3] * e2z)
+        cone[6] = rho + scale * step[4]
+    return support, reached, 0.0, 0.0
+
+
+@kernel(parallel=True)
+def _search(
+    points: Any, normals: Any, oriented: Any, active: Any, seeds: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
+    reach: float, radius: float, gradient: float, length: float, tolerance: float, seed: int,
+) -> Any:  # fmt: skip
+    """Leg about each seed, (k, 8): axis (3), centre (3), its standard deviation along the axis, support; all 0 where there is none."""
+    out = np.zeros((len(seeds), 8))
     rho_low = (radius - gradient * length) * 0.93
     rho_high = radius * 0.97
     for s in prange(len(seeds)):
-        near = gather(points, active, points[seeds[s]], reach, start, order, origin, size, cell, MOST_NEIGHBOURS)
-        m = len(near)
+        middle = points[seeds[s]]
+        found = gather(points, active, middle, reach, start, order, origin, size, cell, MOST_NEIGHBOURS)
+        m = len(found)
         if m < 12:
             continue
-        p = np.empty((m, 3))
-        n = np.empty((m, 3))
-        g = np.empty(m, dtype=np.int8)
+        near = np.empty((7, m))
         for i in range(m):
             for a in range(3):
-                p[i, a] = points[near[i], a] - points[seeds[s], a]
-                n[i, a] = normals[near[i], a]
-            g[i] = sign[near[i]]
+                near[a, i] = points[found[i], a] - middle[a]
+                near[3 + a, i] = normals[found[i], a]
+            near[6, i] = 0.0 if oriented[found[i]] else 1.0
+        cone = np.zeros(7)
         state = np.uint64(seed * 1000003 + seeds[s] * 7919 + 12345)
-        best = 0
-        ax = np.zeros(3)
-        foot = np.zeros(3)
-        rho_at = 0.0
-        for draw in range(PAIRS):
-            # four elements of five on one cone: more draws will not find a better leg here
-            if draw >= 10 and best > 0.8 * m:
-                break
-            state = state * np.uint64(6364136223846793005) + np.uint64(1442695040888963407)
-            i = int((state >> np.uint64(33)) % np.uint64(m))
-            state = state * np.uint64(6364136223846793005) + np.uint64(1442695040888963407)
-            j = int((state >> np.uint64(33)) % np.uint64(m))
-            if i == j:
-                continue
-            si = 1.0
-            sj = 1.0
-            if g[i] == 0 and (state >> np.uint64(20)) & np.uint64(1):
-                si = -1.0
-            if g[j] == 0 and (state >> np.uint64(21)) & np.uint64(1):
-                sj = -1.0
-            n1 = n[i] * si
-            n2 = n[j] * sj
-            d = n1[0] * n2[0] + n1[1] * n2[1] + n1[2] * n2[2]
-            if d > 0.90 or d < -0.90:
-                continue
-            alpha = sine / (1.0 + d)
-            rest = 1.0 - 2.0 * sine * sine / (1.0 + d)
-            if rest <= 0.0:
-                continue
-            beta = np.sqrt(rest / (1.0 - d * d))
-            w = np.cross(n1, n2)
-            gap = p[i] - p[j]
-            for side in range(2):
-                b = beta if side == 0 else -beta
-                axis = alpha * (n1 + n2) + b * w
-                u1 = (n1 - sine * axis) / cosine
-                u2 = (n2 - sine * axis) / cosine
-                # p = foot + t axis + (rho0 - c t) u for both points, t from the seed's plane: the part across the axis gives rho0
-                t1 = p[i, 0] * axis[0] + p[i, 1] * axis[1] + p[i, 2] * axis[2]
-                t2 = p[j, 0] * axis[0] + p[j, 1] * axis[1] + p[j, 2] * axis[2]
-                du = u1 - u2
-                across = gap - (t1 - t2) * axis + gradient * (t1 * u1 - t2 * u2)
-                duu = du[0] * du[0] + du[1] * du[1] + du[2] * du[2]
-                rho0 = (across[0] * du[0] + across[1] * du[1] + across[2] * du[2]) / duu
-                miss = across - rho0 * du
-                if miss[0] ** 2 + miss[1] ** 2 + miss[2] ** 2 > 16.0 * tolerance * tolerance:
-                    continue
-                if rho0 < 0.8 * rho_low or rho0 > 1.15 * rho_high:
-                    continue
-                base = p[i] - t1 * axis - (rho0 - gradient * t1) * u1
-                count = 0
-                for q in range(m):
-                    x = p[q] - base
-                    t = x[0] * axis[0] + x[1] * axis[1] + x[2] * axis[2]
-                    cr = x - t * axis
-                    rr = np.sqrt(cr[0] ** 2 + cr[1] ** 2 + cr[2] ** 2)
-                    dist = (rr - rho0 + gradient * t) * cosine
-                    if dist > 1.5 * tolerance or dist < -1.5 * tolerance or rr < 1e-9:
-                        continue
-                    agree = ((cr[0] * n[q, 0] + cr[1] * n[q, 1] + cr[2] * n[q, 2]) / rr) * cosine
-                    agree += sine * (axis[0] * n[q, 0] + axis[1] * n[q, 1] + axis[2] * n[q, 2])
-                    if agree > 0.85 or (g[q] == 0 and agree < -0.85):
-                        count += 1
-                if count > best:
-                    best = count
-                    ax = axis.copy()
-                    foot = base.copy()
-                    rho_at = rho0
-        if best < 10:
+        if _best_cone(near, rho_low, rho_high, gradient, tolerance, state, cone) < FEWEST_ON_LEG:
             continue
-        # least squares on the agreeing elements: turn of the axis (2), shift across it (2), radius
-        support = 0
-        reached = 0
-        sd_rho = 0.0
-        arc = 0.0
-        for sweep in range(6):
-            help_axis = np.array([1.0, 0.0, 0.0]) if abs(ax[0]) < 0.8 else np.array([0.0, 1.0, 0.0])
-            e1 = np.cross(ax, help_axis)
-            e1 /= np.sqrt(np.sum(e1 * e1))
-            e2 = np.cross(ax, e1)
-            normal = np.zeros((5, 5))
-            right = np.zeros(5)
-            limit = tolerance * (2.0 if sweep < 2 else 1.2)
-            support = 0
-            reached = 0
-            squares = 0.0
-            sectors = 0
-            row = np.empty(5)
-            for q in range(m):
-                x = p[q] - foot
-                t = x[0] * ax[0] + x[1] * ax[1] + x[2] * ax[2]
-                y1 = x[0] * e1[0] + x[1] * e1[1] + x[2] * e1[2]
-                y2 = x[0] * e2[0] + x[1] * e2[1] + x[2] * e2[2]
-                rr = np.sqrt(y1 * y1 + y2 * y2)
-                if rr < 1e-9:
-                    continue
-                dist = (rr - rho_at + gradient * t) * cosine
-                if -3.0 * tolerance < dist < 6.0 * tolerance:
-                    reached += 1
-                if abs(dist) > limit:
-                    continue
-                na = ax[0] * n[q, 0] + ax[1] * n[q, 1] + ax[2] * n[q, 2]
-                n1_ = e1[0] * n[q, 0] + e1[1] * n[q, 1] + e1[2] * n[q, 2]
-                n2_ = e2[0] * n[q, 0] + e2[1] * n[q, 1] + e2[2] * n[q, 2]
-                agree = (y1 * n1_ + y2 * n2_) / rr * cosine + sine * na
-                if not (agree > 0.85 or (g[q] == 0 and agree < -0.85)):
-                    continue
-                c1 = y1 / rr
-                c2 = y2 / rr
-                # turning the axis towards e1 by w moves the axis by w t: d(rr) = -c1 t w, d(t) = y1 w
-                row[0] = (-c1 * t + gradient * y1) * cosine
-                row[1] = (-c2 * t + gradient * y2) * cosine
-                row[2] = -c1 * cosine
-                row[3] = -c2 * cosine
-                row[4] = -cosine
-                for a in range(5):
-                    right[a] -= row[a] * dist
-                    for b_ in range(5):
-                        normal[a, b_] += row[a] * row[b_]
-                support += 1
-                squares += dist * dist
-                sectors |= 1 << int((np.arctan2(y2, y1) + np.pi) / (2 * np.pi) * 23.999)
-            if support < 10:
-                break
-            # a weak prior keeps the solution on the leg where the arc is short
-            normal[4, 4] += 0.02 * support
-            step = _solve5(normal, right)
-            if sweep == 5:
-                inverse = np.linalg.inv(normal)
-                sd_rho = np.sqrt(max(inverse[4, 4], 0.0) * max(squares / support, (0.2 * tolerance) ** 2))
-                filled = 0
-                for k in range(24):
-                    filled += (sectors >> k) & 1
-                arc = filled / 24.0
-                break
-            turn = max(np.sqrt(step[0] ** 2 + step[1] ** 2), 1e-12)
-            scale = min(1.0, 0.2 / turn)
-            ax = ax + scale * (step[0] * e1 + step[1] * e2)
-            ax /= np.sqrt(np.sum(ax * ax))
-            foot = foot + scale * (step[2] * e1 + step[3] * e2)
-            rho_at += scale * step[4]
+        support, reached, sd_rho, arc = _fit_cone(near, gradient, tolerance, cone)
         # on a leg nearly every element near the cone is on it; where half are not, it is a chance alignment
-        if support < 10 or arc < 0.12 or support < 0.4 * reached:
+        if support < FEWEST_ON_LEG or arc < 0.12 or support < 0.4 * reached:
             continue
         # the seed's own height on the axis is t = 0 at the foot of the seed
-        t0 = -(foot[0] * ax[0] + foot[1] * ax[1] + foot[2] * ax[2])
-        rho_seed = rho_at - gradient * t0
+        t0 = -(cone[3] * cone[0] + cone[4] * cone[1] + cone[5] * cone[2])
+        rho_seed = cone[6] - gradient * t0
         if rho_seed < rho_low - 4 * sd_rho or rho_seed > rho_high + 4 * sd_rho:
             continue
-        z = (radius - rho_at) / gradient
+        z = (radius - cone[6]) / gradient
         for a in range(3):
-            out[s, a] = ax[a]
-            out[s, 3 + a] = points[seeds[s], a] + foot[a] - z * ax[a]
+            out[s, a] = cone[a]
+            out[s, 3 + a] = middle[a] + cone[3 + a] - z * cone[a]
         out[s, 6] = sd_rho / gradient
         out[s, 7] = support * support / reached
     return out
 
 
-@njit(cache=True)
+@kernel()
 def _distinct(found: Any, along: float, across: float) -> Any:
     """Indices of hypotheses, strongest first, that are not near-copies of a stronger one."""
     kept = np.empty(len(found), dtype=np.int64)
+    # axis and centre of those kept, one after the other
+    stronger = np.empty((len(found), 6))
     count = 0
+    far = along + across
     for i in range(len(found)):
+        a0, a1, a2, c0, c1, c2 = found[i, 0], found[i, 1], found[i, 2], found[i, 3], found[i, 4], found[i, 5]
         copy = False
         for k in range(count):
-            j = kept[k]
-            gap = found[i, 3:6] - found[j, 3:6]
-            if abs(gap[0]) > along + across or abs(gap[1]) > along + across or abs(gap[2]) > along + across:
+            g0, g1, g2 = c0 - stronger[k, 3], c1 - stronger[k, 4], c2 - stronger[k, 5]
+            if abs(g0) > far or abs(g1) > far or abs(g2) > far:
                 continue
-            cosine = found[i, 0] * found[j, 0] + found[i, 1] * found[j, 1] + found[i, 2] * found[j, 2]
-            if cosine < 0.966:
+            b0, b1, b2 = stronger[k, 0], stronger[k, 1], stronger[k, 2]
+            if a0 * b0 + a1 * b1 + a2 * b2 < 0.966:
                 continue
-            t = gap[0] * found[j, 0] + gap[1] * found[j, 1] + gap[2] * found[j, 2]
-            off = gap[0] ** 2 + gap[1] ** 2 + gap[2] ** 2 - t * t
+            t = g0 * b0 + g1 * b1 + g2 * b2
+            off = g0 * g0 + g1 * g1 + g2 * g2 - t * t
             if abs(t) < along and off < across * across:
                 copy = True
                 break
         if not copy:
             kept[count] = i
+            stronger[count] = found[i, :6]
             count += 1
     return kept[:count]

@@ -20,7 +20,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
-from scipy.stats import f as f_distribution
+from scipy.special import fdtrc
 
 from .errors import CrsError, InputError
 from .pose import Pose
@@ -557,7 +557,7 @@ def _outlier_test(
     # a sample variance below the stated one is luck as a rule; without this floor a lucky handful would condemn good targets
     unit_variance = max(fit.sigma0**2, 1.0)
     statistic = float(gap @ np.linalg.solve(cofactor, gap)) / 3 / unit_variance
-    return gap / np.sqrt(np.diag(cofactor) * unit_variance), float(f_distribution.sf(statistic, 3, fit.redundancy))
+    return gap / np.sqrt(np.diag(cofactor) * unit_variance), float(fdtrc(3, fit.redundancy, statistic))
 
 
 def _snoop(surveyed: FloatArray, measured: FloatArray, variances: FloatArray, similarity: bool, level: float) -> BoolArray:

@@ -14,7 +14,7 @@ import numpy as np
 import small_gicp
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
-from scipy.stats import chi2
+from scipy.special import chdtrc
 
 from .pose import Pose, rotation_angle
 
@@ -103,7 +103,7 @@ def cross_check(
     gap = vector - (pose_after.centre - pose_before.centre)
     # both use the same points: their difference varies by less than the sum, so that the test errs on the side of agreement
     statistic = float(gap @ np.linalg.solve(own + covariance, gap))
-    p_value = float(chi2.sf(statistic, 3))
+    p_value = float(chdtrc(3, statistic))
     agrees = p_value >= AGREEMENT_LEVEL
     reason = "" if agrees else "look for a broken leg, growth or a wrong unit"
     turn = rotation_angle(np.eye(3), motion[:3, :3])

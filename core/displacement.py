@@ -16,6 +16,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
+from scipy.special import fdtrc
 
 from .congruence import Congruence, NullModel, f_p_value
 from .feature_points import FEATURES, FeaturePoints
@@ -227,7 +228,6 @@ def velocity(feature: int, years: FloatArray, positions: FloatArray, covariances
     tail
         Degrees of freedom of the calibrated errors.
     """
-    from scipy.stats import f as f_distribution
 
     t = years - years.mean()
     weights = np.linalg.inv(covariances)
@@ -238,5 +238,5 @@ def velocity(feature: int, years: FloatArray, positions: FloatArray, covariances
     residuals = positions - design @ solution
     degrees = 3 * len(t) - 6
     form = float(np.einsum("ei,eij,ej->", residuals, weights, residuals))
-    p = float(f_distribution.sf(form / degrees, degrees, tail)) if degrees > 0 else 1.0
+    p = float(fdtrc(degrees, tail, form / degrees)) if degrees > 0 else 1.0
     return Velocity(FEATURES[feature], solution[3:], np.sqrt(np.diag(cofactor)[3:]), p)

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from .kernels import kernel
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -22,6 +23,11 @@ class Grid:
     origin: FloatArray
     size: IntArray
     cell: float
+
+    def within(self, points: FloatArray, middle: FloatArray, reach: float, active: NDArray[np.bool_] | None = None) -> IntArray:
+        """Indices of the points (those of the grid) within ``reach`` metres of ``middle`` (3,), of the active ones where that is given."""
+        chosen = np.ones(len(points), dtype=np.bool_) if active is None else active
+        return np.asarray(gather(points, chosen, middle, reach, self.start, self.order, self.origin, self.size, self.cell, len(points)))
 
 
 def build_grid(points: FloatArray, cell: float, most_cells: int = 20_000_000) -> Grid:
@@ -38,7 +44,7 @@ def build_grid(points: FloatArray, cell: float, most_cells: int = 20_000_000) ->
     return Grid(start, order, origin, size, float(cell))
 
 
-@njit(cache=True)
+@kernel()
 def gather(
     points: Any, active: Any, middle: Any, reach: float, start: Any, order: Any, origin: Any, size: Any, cell: float, most: int
 ) -> Any:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
-from scipy.stats import chi2, ncx2
+from scipy.special import chdtri, chndtr
 
 from .tetrapod import LATERAL, relate, surface_cells
 from .unit_types import UnitType
@@ -155,8 +155,8 @@ def detectability(unit: UnitType, plan: SurveyPlan, *, orientations: int = ORIEN
 
 def noncentrality(significance: float, power: float, freedom: int = 3) -> float:
     """Noncentrality of a chi-square test of ``freedom`` degrees that is found with a given power (Baarda, 1968)."""
-    threshold = chi2.ppf(1 - significance, freedom)
-    return float(brentq(lambda value: ncx2.sf(threshold, freedom, value) - power, 1e-9, 1e4))
+    threshold = float(chdtri(freedom, significance))
+    return float(brentq(lambda value: 1 - float(chndtr(threshold, freedom, value)) - power, 1e-9, 1e4))
 
 
 def point_counts(

@@ -61,7 +61,7 @@ def look_up(own: FloatArray, pose: Pose, unit: UnitType, before: FloatArray, now
     tolerance
         Distance in metres within which a point lies on the surface (noise and registration).
     """
-    reach = float(np.hypot(unit.leg_length, unit.end_radius)) + tolerance
+    reach = unit.reach + tolerance
     # what the unit hid lies partly beyond its own reach
     near = np.flatnonzero(np.sum((now - pose.centre) ** 2, axis=1) < (1.3 * reach) ** 2)
     if not len(near) or not len(own):

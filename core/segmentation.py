@@ -29,7 +29,7 @@ from .neighbourhood import Grid, build_grid
 from .pose import Pose
 from .surface_elements import SurfaceElements, surface_elements
 from .unit_types import UnitType
-from .verification import MOST_OVERLAP, overlap, select, worth
+from .verification import MOST_OVERLAP, overlap, select, without_copies, worth
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -255,14 +255,19 @@ def _best_rival(
     turns = np.einsum("nij,skj,lk->nsil", rivals[:, 3:].reshape(-1, 3, 3), unit.symmetries, rotation)
     cosine = np.max((np.trace(turns, axis1=2, axis2=3) - 1) / 2, axis=1)
     different = (cosine < np.cos(np.radians(12))) & (np.linalg.norm(rivals[:, :3] - pose[:3], axis=1) < 0.2 * unit.height)
-    neighbours = others[np.sum((others[:, :3] - pose[:3]) ** 2, axis=1) < (1.5 * unit.height) ** 2]
-    for k in np.flatnonzero(different):
-        different[k] = all(overlap(rivals[k], other, unit) <= MOST_OVERLAP for other in neighbours)
     if not different.any():
         return 0.0
+    rivals = rivals[different]
+    # most twists end in the same few poses
+    rivals = rivals[without_copies(rivals, unit.symmetries, 0.02 * unit.height, np.cos(np.radians(2)))]
     sign = elements.oriented.astype(np.int8)
-    table = evidence(rivals[different], elements.points, elements.normals, sign, own, grid, unit, tolerance)
-    return max(0.0, *(worth(row) for row in table))
+    table = evidence(rivals, elements.points, elements.normals, sign, own, grid, unit, tolerance)
+    value = np.array([worth(row) for row in table])
+    neighbours = others[np.sum((others[:, :3] - pose[:3]) ** 2, axis=1) < (1.5 * unit.height) ** 2]
+    for k in np.argsort(-value, kind="stable"):
+        if value[k] > 0 and all(overlap(rivals[k], other, unit) <= MOST_OVERLAP for other in neighbours):
+            return float(value[k])
+    return 0.0
 
 
 def _typical_misfit(table: FloatArray) -> float:

@@ -10,17 +10,22 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
+
+from .kernels import kernel
+from .neighbourhood import build_grid, gather
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 THINNING_RATIO = 0.03
 """Voxel edge as a share of the unit's height."""
-NEIGHBOURS = 48
-"""Most neighbours used for a normal; a normal of 48 points is as steady as the segmentation can use."""
+FEWEST_NEIGHBOURS = 7
+"""A normal of fewer points says nothing."""
+MOST_NEIGHBOURS = 200
+"""More than a surface thinned to ``THINNING_RATIO`` holds within ``BEND_RADIUS_RATIO``, even where two surfaces meet."""
 BEND_RADIUS_RATIO = 0.14
 """Radius, as a share of the height, within which the sense of curvature is read."""
 
@@ -37,8 +42,6 @@ class SurfaceElements:
         (m, 3) unit normals; outward where ``oriented``.
     oriented
         (m,) bool, sign of the normal known from convexity.
-    flatness
-        (m,) standard deviation of the neighbourhood across the tangent plane, metres.
     source
         (n,) for each raw point the element it was thinned into.
     spacing
@@ -47,19 +50,15 @@ class SurfaceElements:
         Standard deviation of a raw point across the surface, metres.
     element_noise
         The same for a thinned point.
-    radius
-        Radius of the neighbourhoods the normals were taken from, metres.
     """
 
     points: FloatArray
     normals: FloatArray
     oriented: NDArray[np.bool_]
-    flatness: FloatArray
     source: IntArray
     spacing: float
     noise: float
     element_noise: float
-    radius: float
 
 
 def surface_elements(points: FloatArray, height: float, *, workers: int = -1) -> SurfaceElements:
@@ -74,22 +73,25 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     probe = points[np.sort(rng.choice(len(points), min(len(points), 4000), replace=False))]
     spacing = float(np.median(raw.query(probe, k=2, workers=workers)[0][:, 1])) if len(points) > 1 else 0.0
     tree = cKDTree(thinned)
-    count = min(NEIGHBOURS, len(thinned))
-    distance, index = tree.query(thinned, k=count, workers=workers)
-    distance, index = distance.reshape(len(thinned), count), index.reshape(len(thinned), count)
     element_noise = _noise_of(thinned, tree, height, workers)
     # wanted: normal error sigma / (R/2 sqrt(n)) of about 3 degrees, n = pi R^2 / area of an element
-    area = max(float(np.median(distance[:, min(6, count - 1)])) ** 2 * np.pi / 6, (0.5 * THINNING_RATIO * height) ** 2)
+    some = thinned[np.sort(rng.choice(len(thinned), min(len(thinned), 4000), replace=False))]
+    seventh = tree.query(some, k=min(FEWEST_NEIGHBOURS, len(thinned)), workers=workers)[0].reshape(len(some), -1)[:, -1]
+    area = max(float(np.median(seventh)) ** 2 * np.pi / 6, (0.5 * THINNING_RATIO * height) ** 2)
     wanted = np.sqrt(2 * element_noise * np.sqrt(area / np.pi) / 0.05)
     radius = float(np.clip(wanted, 0.055 * height, 0.14 * height))
-    normals, flatness, bend, bend_sd = _normals(thinned, index.astype(np.int64), distance, radius, BEND_RADIUS_RATIO * height)
+    bend_radius = BEND_RADIUS_RATIO * height
+    grid = build_grid(thinned, 0.5 * bend_radius)
+    normals, bend, bend_sd = _normals(
+        thinned, np.ones(len(thinned), dtype=np.bool_), radius, bend_radius, grid.start, grid.order, grid.origin, grid.size, grid.cell
+    )
     # on a leg the surface falls away by d^2 / (4 rho) on average over directions, rho about 0.2 H: a third of that, if it also
     # stands out of its own standard error, is taken as a sign
     expected = 1 / (4 * 0.2 * height)
     oriented = (np.abs(bend) > expected / 3) & (np.abs(bend) > 2 * bend_sd)
     normals = np.where(bend[:, None] > 0, -normals, normals)
     noise = _noise_of(points, raw, height, workers)
-    return SurfaceElements(thinned, normals, oriented, flatness, source, spacing, noise, element_noise, radius)
+    return SurfaceElements(thinned, normals, oriented, source, spacing, noise, element_noise)
 
 
 def thin(points: FloatArray, voxel: float) -> tuple[FloatArray, IntArray]:
@@ -130,62 +132,73 @@ def _noise_of(points: FloatArray, tree: cKDTree, height: float, workers: int) ->
     return float(np.sqrt(np.percentile(variance, 30)))
 
 
-@njit(cache=True, parallel=True)
-def _normals(points: Any, index: Any, distance: Any, radius: float, bend_radius: float) -> Any:
-    n, k = index.shape
+@kernel(parallel=True)
+def _normals(
+    points: Any, every: Any, radius: float, bend_radius: float, start: Any, order: Any, origin: Any, size: Any, cell: float
+) -> Any:  # fmt: skip
+    """Normal of every point, bend of the surface away from the tangent plane, and its standard deviation."""
+    n = len(points)
     normals = np.zeros((n, 3))
-    flatness = np.zeros(n)
     bend = np.zeros(n)
     bend_sd = np.zeros(n)
     for i in prange(n):
-        cx = cy = cz = 0.0
+        reach = bend_radius
+        near = gather(points, every, points[i], reach, start, order, origin, size, cell, MOST_NEIGHBOURS)
+        # a lone point looks further, up to about a unit's half
+        while len(near) < FEWEST_NEIGHBOURS and reach < 3.0 * bend_radius:
+            reach *= 2.0
+            near = gather(points, every, points[i], reach, start, order, origin, size, cell, MOST_NEIGHBOURS)
+        count = len(near)
+        local = np.empty((count, 4))
         m = 0
-        for j in range(k):
-            if j >= 7 and distance[i, j] > radius:
-                break
-            q = index[i, j]
-            cx += points[q, 0]
-            cy += points[q, 1]
-            cz += points[q, 2]
+        for j in range(count):
+            q = near[j]
+            x, y, z = points[q, 0] - points[i, 0], points[q, 1] - points[i, 1], points[q, 2] - points[i, 2]
+            local[j, 0], local[j, 1], local[j, 2], local[j, 3] = x, y, z, x * x + y * y + z * z
+            if local[j, 3] <= radius * radius:
+                m += 1
+        limit = radius * radius if m >= FEWEST_NEIGHBOURS else np.inf
+        cx = cy = cz = 0.0
+        xx = xy = xz = yy = yz = zz = 0.0
+        m = 0
+        for j in range(count):
+            x, y, z = local[j, 0], local[j, 1], local[j, 2]
+            if local[j, 3] > limit:
+                continue
+            cx += x
+            cy += y
+            cz += z
+            xx += x * x
+            xy += x * y
+            xz += x * z
+            yy += y * y
+            yz += y * z
+            zz += z * z
             m += 1
-        cx /= m
-        cy /= m
-        cz /= m
-        cov = np.zeros((3, 3))
-        for j in range(m):
-            q = index[i, j]
-            x, y, z = points[q, 0] - cx, points[q, 1] - cy, points[q, 2] - cz
-            cov[0, 0] += x * x
-            cov[0, 1] += x * y
-            cov[0, 2] += x * z
-            cov[1, 1] += y * y
-            cov[1, 2] += y * z
-            cov[2, 2] += z * z
-        cov[1, 0], cov[2, 0], cov[2, 1] = cov[0, 1], cov[0, 2], cov[1, 2]
-        values, vectors = np.linalg.eigh(cov)
-        for a in range(3):
-            normals[i, a] = vectors[a, 0]
-        flatness[i] = np.sqrt(max(values[0], 0.0) / m)
+        cx, cy, cz = cx / m, cy / m, cz / m
+        cov = np.empty((3, 3))
+        cov[0, 0], cov[1, 1], cov[2, 2] = xx - m * cx * cx, yy - m * cy * cy, zz - m * cz * cz
+        cov[0, 1] = cov[1, 0] = xy - m * cx * cy
+        cov[0, 2] = cov[2, 0] = xz - m * cx * cz
+        cov[1, 2] = cov[2, 1] = yz - m * cy * cz
+        _, vectors = np.linalg.eigh(cov)
+        nx, ny, nz = vectors[0, 0], vectors[1, 0], vectors[2, 0]
+        normals[i, 0], normals[i, 1], normals[i, 2] = nx, ny, nz
         # convexity: slope of the height over the tangent plane against the squared distance
         su = sh = suu = suh = shh = 0.0
-        count = 0
-        for j in range(k):
-            if distance[i, j] > bend_radius:
-                break
-            q = index[i, j]
-            h = (points[q, 0] - cx) * normals[i, 0] + (points[q, 1] - cy) * normals[i, 1] + (points[q, 2] - cz) * normals[i, 2]
-            u = distance[i, j] ** 2
+        for j in range(count):
+            h = (local[j, 0] - cx) * nx + (local[j, 1] - cy) * ny + (local[j, 2] - cz) * nz
+            u = local[j, 3]
             su += u
             sh += h
             suu += u * u
             suh += u * h
             shh += h * h
-            count += 1
         spread = suu - su * su / count
-        if count > 6 and spread > 0.0:
+        if count >= FEWEST_NEIGHBOURS and spread > 0.0:
             bend[i] = (suh - su * sh / count) / spread
             rest = shh - sh * sh / count - bend[i] ** 2 * spread
             bend_sd[i] = np.sqrt(max(rest, 0.0) / (count - 2) / spread)
         else:
             bend_sd[i] = np.inf
-    return normals, flatness, bend, bend_sd
+    return normals, bend, bend_sd

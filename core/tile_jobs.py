@@ -12,15 +12,18 @@ import hashlib
 import io
 import json
 import math
+import multiprocessing
 import os
 import zipfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from itertools import product
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -167,9 +170,11 @@ def load_arrays(path: Path) -> dict[str, NDArray[Any]] | None:
         return None
 
 
-@dataclass(frozen=True)
+@dataclass
 class JobRunner:
-    """Runs jobs here, in local processes or on a cluster.
+    """Runs jobs here, in local processes or on a cluster; as a context manager it ends its processes.
+
+    Local processes are started when first needed and serve all later calls, so that libraries are loaded once.
 
     Attributes
     ----------
@@ -187,6 +192,16 @@ class JobRunner:
     workers: int = 1
     scheduler: str | None = None
     is_cancelled: Callable[[], bool] = lambda: False
+    _pool: ProcessPoolExecutor | None = field(default=None, init=False, repr=False)
+    _strangers: frozenset[Any] = field(default=frozenset(), init=False, repr=False)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._pool is not None:
+            self._pool.shutdown(wait=True, cancel_futures=True)
+            self._pool = None
 
     def run(self, jobs: Sequence[Job], progress: Callable[[int, int], None] = lambda done, total: None) -> list[Path]:
         """Run what is not done yet; returns the result files in the order of the jobs.
@@ -221,8 +236,6 @@ class JobRunner:
             yield
 
     def _in_processes(self, tasks: Sequence[Task]) -> Iterator[None]:
-        from concurrent.futures.process import BrokenProcessPool
-
         waiting = list(tasks)
         for attempt in range(1, ATTEMPTS + 1):
             try:
@@ -238,31 +251,32 @@ class JobRunner:
                     ) from error
 
     def _pool_pass(self, tasks: Sequence[Task]) -> Iterator[Task]:
-        import multiprocessing
-        from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
+        clean = False
+        try:
+            pending = self._submitted(tasks)
+            while pending:
+                done, _ = wait(pending, timeout=0.2, return_when=FIRST_COMPLETED)
+                for future in done:
+                    task = pending.pop(future)
+                    future.result()
+                    yield task
+                if self.is_cancelled():
+                    raise Cancelled("cancelled")
+            clean = True
+        finally:
+            if not clean:
+                for process in set(multiprocessing.active_children()) - self._strangers:
+                    process.kill()
+                self.__exit__()
 
-        count = min(self.workers, len(tasks))
-        with _threads_per_worker(max(1, (os.cpu_count() or 1) // count)):
-            # spawned, not forked: forked copies of a process with threads (numba, OpenMP) can hang
-            pool = ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), initializer=_ignore_interrupt)
-            before = set(multiprocessing.active_children())
-            clean = False
-            try:
-                pending = {pool.submit(_run_and_save, *task): task for task in tasks}
-                while pending:
-                    done, _ = wait(pending, timeout=0.2, return_when=FIRST_COMPLETED)
-                    for future in done:
-                        task = pending.pop(future)
-                        future.result()
-                        yield task
-                    if self.is_cancelled():
-                        raise Cancelled("cancelled")
-                clean = True
-            finally:
-                if not clean:
-                    for process in set(multiprocessing.active_children()) - before:
-                        process.kill()
-                pool.shutdown(wait=True, cancel_futures=True)
+    def _submitted(self, tasks: Sequence[Task]) -> dict[Future[None], Task]:
+        # an executor starts its processes as tasks come in: these inherit the environment of this moment
+        with _threads_per_worker(max(1, (os.cpu_count() or 1) // self.workers)):
+            if self._pool is None:
+                self._strangers = frozenset(multiprocessing.active_children())
+                # spawned, not forked: forked copies of a process with threads (numba, OpenMP) can hang
+                self._pool = ProcessPoolExecutor(self.workers, multiprocessing.get_context("spawn"), initializer=_ignore_interrupt)
+            return {self._pool.submit(_run_and_save, *task): task for task in tasks}
 
     def _on_cluster(self, tasks: Sequence[Task]) -> Iterator[None]:
         try:

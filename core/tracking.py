@@ -265,7 +265,7 @@ def _look_for_missing(
                 states[unit][epoch] = "hidden"
     if surroundings is None:
         return states, recovered
-    reach = max(float(np.hypot(u.leg_length, u.end_radius)) for u in units) * 1.35
+    reach = max(u.reach for u in units) * 1.35
     clouds: dict[int, tuple[FloatArray, NDArray[np.integer], cKDTree]] = {}
 
     def cloud(epoch: int, places: FloatArray) -> tuple[FloatArray, NDArray[np.integer], cKDTree]:

@@ -95,6 +95,11 @@ class UnitType:
         """Radius of the end disc, metres."""
         return self.radius - self.gradient * self.leg_length
 
+    @property
+    def reach(self) -> float:
+        """Distance from the centre to the farthest point of the surface, the rim of an end disc, metres."""
+        return math.hypot(self.leg_length, self.end_radius)
+
     @cached_property
     def leg_directions(self) -> FloatArray:
         """(4, 3) unit vectors of the legs' axes in the body frame, legs 1 to 4."""

@@ -8,10 +8,10 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from .assembly import CELLS, CLOSE, INSIDE, REACHED, RMS, SUPPORT, evidence, refine
+from .kernels import kernel
 from .neighbourhood import Grid
 from .surface_elements import SurfaceElements
 from .tetrapod import relate
@@ -60,7 +60,7 @@ def select(
     value = np.array([worth(row) for row in table])
     good = np.flatnonzero([plausible(row, tolerance) for row in table])
     good = good[np.argsort(-value[good], kind="stable")]
-    good = good[_without_copies(candidates[good], unit.symmetries, 0.08 * unit.height, np.cos(np.radians(10)))]
+    good = good[without_copies(candidates[good], unit.symmetries, 0.08 * unit.height, np.cos(np.radians(10)))]
     queue = [(-value[k], k, 0) for k in good]
     heapq.heapify(queue)
     poses: list[FloatArray] = []
@@ -85,14 +85,14 @@ def select(
         near = [p for p in (*accepted, *poses) if np.sum((p[:3] - finer[:3]) ** 2) < (1.29 * unit.height) ** 2]
         if not plausible(row, tolerance) or any(overlap(finer, p, unit) > MOST_OVERLAP for p in near):
             continue
-        claim(finer, elements.points, active, unit, tolerance)
+        claim(finer, elements.points, active, grid, unit, tolerance)
         poses.append(finer)
         rows.append(row)
     return Accepted(np.array(poses).reshape(-1, 12), np.array(rows).reshape(-1, 7))
 
 
-@njit(cache=True)
-def _without_copies(poses: Any, symmetries: Any, near: float, cosine: float) -> Any:
+@kernel()
+def without_copies(poses: Any, symmetries: Any, near: float, cosine: float) -> Any:
     """Indices of poses, best first, that are not close to a better one in centre and, up to the symmetry, in rotation."""
     kept = np.empty(len(poses), dtype=np.int64)
     count = 0
@@ -139,9 +139,9 @@ def worth(row: FloatArray) -> float:
     return float(row[SUPPORT] - 3 * row[INSIDE])
 
 
-def claim(pose: FloatArray, points: FloatArray, active: NDArray[np.bool_], unit: UnitType, tolerance: float) -> None:
+def claim(pose: FloatArray, points: FloatArray, active: NDArray[np.bool_], grid: Grid, unit: UnitType, tolerance: float) -> None:
     """Take the active points on the surface of the unit out of ``active``."""
-    near = np.flatnonzero(active & (np.max(np.abs(points - pose[:3]), axis=1) < 0.75 * unit.height))
+    near = grid.within(points, pose[:3], unit.reach + 2.5 * tolerance, active)
     relation = relate((points[near] - pose[:3]) @ pose[3:].reshape(3, 3), unit)
     active[near[np.abs(relation.distance) < 2.5 * tolerance]] = False
 
@@ -163,7 +163,7 @@ def _solid_samples(unit: UnitType) -> FloatArray:
     return lattice[relate(lattice, unit).distance < 0]
 
 
-@njit(cache=True)
+@kernel()
 def _share_inside(points: Any, legs: Any, radius: float, gradient: float, length: float) -> float:
     inside = 0
     for q in range(len(points)):

@@ -301,12 +301,16 @@ def job_runner(output: Path, options: RunOptions, feedback: Feedback) -> Iterato
                 raise OutputError(
                     f"cannot be made ({error.strerror})", source=folder, remedy="Check the folder's permissions and free space."
                 ) from error
-            yield JobRunner(folder, workers, options.scheduler, feedback.is_cancelled)
+            with JobRunner(folder, workers, options.scheduler, feedback.is_cancelled) as runner:
+                yield runner
             return
         # workers of a cluster see the folder of the output, and nothing else for sure
         place = target.parent if options.scheduler else None
-        with tempfile.TemporaryDirectory(prefix=".tetratrack-", dir=place) as temporary:
-            yield JobRunner(Path(temporary), workers, options.scheduler, feedback.is_cancelled)
+        with (
+            tempfile.TemporaryDirectory(prefix=".tetratrack-", dir=place) as temporary,
+            JobRunner(Path(temporary), workers, options.scheduler, feedback.is_cancelled) as runner,
+        ):
+            yield runner
 
 
 @contextmanager

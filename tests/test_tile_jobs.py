@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import signal
 from dataclasses import dataclass
@@ -81,43 +82,54 @@ def test_keys_depend_on_everything_but_order() -> None:
 def test_results_come_in_the_order_of_the_jobs_and_are_kept(tmp_path: Path, workers: int) -> None:
     jobs = [Square(n, str(tmp_path)) for n in (3, 1, 2)]
     seen: list[tuple[int, int]] = []
-    runner = JobRunner(tmp_path, workers)
-    assert _squares(runner.run(jobs, lambda done, total: seen.append((done, total)))) == [9, 1, 4]
-    assert seen == [(0, 3), (1, 3), (2, 3), (3, 3)]
-    for mark in tmp_path.glob("tried-*"):
-        mark.unlink()
-    (tmp_path / "square-2.npz").write_bytes(b"power was lost here")
-    assert _squares(runner.run(jobs)) == [9, 1, 4]
+    with JobRunner(tmp_path, workers) as runner:
+        assert _squares(runner.run(jobs, lambda done, total: seen.append((done, total)))) == [9, 1, 4]
+        assert seen == [(0, 3), (1, 3), (2, 3), (3, 3)]
+        for mark in tmp_path.glob("tried-*"):
+            mark.unlink()
+        (tmp_path / "square-2.npz").write_bytes(b"power was lost here")
+        assert _squares(runner.run(jobs)) == [9, 1, 4]
     assert [p.name for p in tmp_path.glob("tried-*")] == ["tried-2"]
+
+
+def test_processes_serve_all_calls_and_end_with_the_runner(tmp_path: Path) -> None:
+    with JobRunner(tmp_path, 2) as runner:
+        runner.run([Square(1), Square(2)])
+        first = {child.pid for child in multiprocessing.active_children()}
+        runner.run([Square(3), Square(4), Square(5)])
+        assert {child.pid for child in multiprocessing.active_children()} == first
+    assert not first & {child.pid for child in multiprocessing.active_children()}
 
 
 @pytest.mark.parametrize("workers", [1, 2])
 def test_an_error_of_a_job_arrives_whole(tmp_path: Path, workers: int) -> None:
-    with pytest.raises(InputError, match=r"tile.laz, line 1: is wrong. Mend it.") as caught:
-        JobRunner(tmp_path, workers).run([Square(1), Square(2, trouble="refuse")])
+    with pytest.raises(InputError, match=r"tile.laz, line 1: is wrong. Mend it.") as caught, JobRunner(tmp_path, workers) as runner:
+        runner.run([Square(1), Square(2, trouble="refuse")])
     assert caught.value.where == "line 1"
 
 
 def test_a_worker_that_is_killed_is_replaced(tmp_path: Path) -> None:
     jobs = [Square(1, str(tmp_path)), Square(2, str(tmp_path), "die"), Square(3, str(tmp_path))]
-    assert _squares(JobRunner(tmp_path, 2).run(jobs)) == [1, 4, 9]
+    with JobRunner(tmp_path, 2) as runner:
+        assert _squares(runner.run(jobs)) == [1, 4, 9]
 
 
 def test_a_job_that_always_kills_its_worker_ends_the_run(tmp_path: Path) -> None:
-    with pytest.raises(TetratrackError, match="ended from outside 3 times"):
-        JobRunner(tmp_path, 2).run([Square(1), Square(2, trouble="always die")])
+    with pytest.raises(TetratrackError, match="ended from outside 3 times"), JobRunner(tmp_path, 2) as runner:
+        runner.run([Square(1), Square(2, trouble="always die")])
 
 
 @pytest.mark.parametrize("workers", [1, 2])
 def test_cancel(tmp_path: Path, workers: int) -> None:
-    with pytest.raises(Cancelled):
-        JobRunner(tmp_path, workers, is_cancelled=lambda: True).run([Square(n) for n in range(5)])
+    with pytest.raises(Cancelled), JobRunner(tmp_path, workers, is_cancelled=lambda: True) as runner:
+        runner.run([Square(n) for n in range(5)])
 
 
 def test_environment_of_workers_is_put_back(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("OMP_NUM_THREADS", "7")
     monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
-    JobRunner(tmp_path, 2).run([Square(1), Square(2)])
+    with JobRunner(tmp_path, 2) as runner:
+        runner.run([Square(1), Square(2)])
     assert os.environ["OMP_NUM_THREADS"] == "7"
     assert "MKL_NUM_THREADS" not in os.environ
 
