@@ -14,6 +14,8 @@ import json
 import math
 import multiprocessing
 import os
+import signal
+import threading
 import zipfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
@@ -271,7 +273,7 @@ class JobRunner:
 
     def _submitted(self, tasks: Sequence[Task]) -> dict[Future[None], Task]:
         # an executor starts its processes as tasks come in: these inherit the environment of this moment
-        with _threads_per_worker(max(1, (os.cpu_count() or 1) // self.workers)):
+        with _interrupts_held(), _threads_per_worker(max(1, (os.cpu_count() or 1) // self.workers)):
             if self._pool is None:
                 self._strangers = frozenset(multiprocessing.active_children())
                 # spawned, not forked: forked copies of a process with threads (numba, OpenMP) can hang
@@ -310,9 +312,24 @@ def _run_and_save(job: Job, path: Path) -> None:
 
 def _ignore_interrupt() -> None:
     """Ctrl-C goes to the whole group of processes; only the parent decides what it means."""
-    import signal
-
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+@contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """Let Ctrl-C and SIGTERM wait: a worker whose parent is interrupted in the middle of starting it would complain of its own."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    held: list[int] = []
+    before = {number: signal.signal(number, lambda number, _: held.append(number)) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        if held:
+            signal.raise_signal(held[0])
 
 
 @contextmanager

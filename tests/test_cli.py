@@ -227,7 +227,10 @@ def test_interrupt_leaves_nothing(repository: Path, tmp_path: Path, kind: signal
     (tmp_path / "out").mkdir()
     command = [sys.executable, "-m", "tetratrack.scripts.cli", "run", str(survey), "-o", str(tmp_path / "out" / "r.gpkg"), "-j", "2"]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
-    time.sleep(4)
+    # the folder of the jobs' results tells that the run is under way
+    deadline = time.monotonic() + 60
+    while not list((tmp_path / "tmp").glob(".tetratrack-*")) and process.poll() is None and time.monotonic() < deadline:
+        time.sleep(0.02)
     process.send_signal(kind)
     _, errors = process.communicate(timeout=60)
     assert process.returncode == 130, errors
