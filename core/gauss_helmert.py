@@ -342,11 +342,22 @@ def _candidates(  # type: ignore[no-untyped-def]
         which[0] = nearest
         density[0] = 0.0
         return (0 if given < 0 and found[nearest, 7] < -IMPOSSIBLE * noise * found[nearest, 4] else 1), 0
+    square = x * x + y * y + z * z
     best = -1
     count = 0
-    for k in range(4):
-        if k != nearest and (given >= 0 or not opened[k] or lean[k] < least):
-            continue
+    # a part this much further off in standard deviations, squared and halved, has no share in the point
+    furthest = 1e300
+    for turn in range(4):
+        # the nearest leg first
+        k = (nearest + turn) % 4
+        if turn > 0:
+            if given >= 0 or not opened[k] or lean[k] < least:
+                continue
+            if not has_cov and not discs[k]:
+                rho = math.sqrt(max(square - lean[k] * lean[k], 0.0))
+                u = (rho - r + c * lean[k]) * cosine / noise
+                if 0.5 * u * u > furthest:
+                    continue
         for disc in range(2):
             if disc == 1 and not discs[k]:
                 continue
@@ -365,6 +376,7 @@ def _candidates(  # type: ignore[no-untyped-def]
             density[count] = math.log(share / spread) - 0.5 * u * u
             if best < 0 or density[count] > density[best]:
                 best = count
+                furthest = 0.5 * u * u - math.log(share) + 12.0
             count += 1
     return count, best
 
@@ -426,6 +438,9 @@ def linearise_points(  # type: ignore[no-untyped-def]
         residuals[i] = math.nan
         sds[i] = 1.0
         biases[i] = 0.0
+        if final:
+            for m in range(12):
+                rows[i, m] = 0.0
         known = given[i] if has_given else -1
         if known < 0 and has_given:
             continue
@@ -603,8 +618,9 @@ def _turned(rotation, vector):  # type: ignore[no-untyped-def]
 
 
 @njit(**_COMPILED)
-def _step(normal, rhs, free, scaling, prior_weights, nominal, leg_length, centre, rotation, shape, leg_errors):  # type: ignore[no-untyped-def]
-    """Make one Gauss-Newton step in place, no longer than a leg's width; returns its squared length in standard deviations.
+def _step(normal, rhs, free, scaling, prior_weights, nominal, leg_length, centre, rotation, shape, leg_errors, change):  # type: ignore[no-untyped-def]
+    """Make one Gauss-Newton step in place, no longer than a leg's width and kept in ``change``; returns its squared length in standard
+    deviations.
 
     The equations are damped at what counts as undetermined: that only holds still what the points do not determine, and has no effect at
     convergence. Scaled so, they are positive definite, and are solved by Cholesky's factors.
@@ -639,7 +655,7 @@ def _step(normal, rhs, free, scaling, prior_weights, nominal, leg_length, centre
             inner[a] -= factor[k, a] * inner[k]
         inner[a] /= factor[a, a]
         gain += along[a] * inner[a]
-    change = np.zeros(12)
+    change[:] = 0.0
     change[chosen] = scaling[chosen] * inner
     longest = max(
         math.sqrt(change[0] ** 2 + change[1] ** 2 + change[2] ** 2) / (0.25 * nominal[0]),
@@ -657,6 +673,28 @@ def _step(normal, rhs, free, scaling, prior_weights, nominal, leg_length, centre
     shape[1] = min(max(shape[1], 0.0), 0.95 * shape[0] / leg_length)
     leg_errors += change[8:]
     return gain
+
+
+@njit(**_COMPILED)
+def _inverse_root(matrix, free, scaling):  # type: ignore[no-untyped-def]
+    """(12, m) root whose square is the inverse of a (12, 12) matrix in the free unknowns, over the m directions that are determined; and
+    the (k, 12) unit directions, scaled, that are not."""
+    chosen = np.flatnonzero(free)
+    n = len(chosen)
+    scaled = np.zeros((n, n))
+    for a in range(n):
+        for b in range(n):
+            scaled[a, b] = matrix[chosen[a], chosen[b]] * scaling[chosen[a]] * scaling[chosen[b]]
+    values, vectors = np.linalg.eigh(scaled)
+    # in ascending order
+    k = np.searchsorted(values, 1.0 / DETERMINED**2, side="right")
+    root, undetermined = np.zeros((12, n - k)), np.zeros((k, 12))
+    for a in range(n):
+        for b in range(k, n):
+            root[chosen[a], b - k] = scaling[chosen[a]] * vectors[a, b] / math.sqrt(values[b])
+        for b in range(k):
+            undetermined[b, chosen[a]] = vectors[a, b]
+    return root, undetermined
 
 
 @njit(**_COMPILED)
@@ -763,7 +801,7 @@ def _lag_products(points, values, whitened, height, sums, expected, counts):  # 
             for h in range(i % 4, count, 4):
                 k = _LAG_CLASSES[int(squares[h] * per_square)]
                 hat = 0.0
-                for m in range(8):
+                for m in range(whitened.shape[1]):
                     hat += whitened[i, m] * whitened[near[h], m]
                 expected[k] -= 4.0 * hat
 
@@ -881,7 +919,7 @@ class _Solver:
         between = self.axes[:, None] - self.axes[None]
         self.creases = between / np.maximum(np.linalg.norm(between, axis=2, keepdims=True), 1e-300)
         self.normal, self.plain, self.shared, self.shared_scores = (np.zeros((12, 12)) for _ in range(4))
-        self.rhs = np.zeros(12)
+        self.rhs, self.change = np.zeros(12), np.zeros(12)
         self.legs, self.parts = np.zeros(n, dtype=np.int64), np.zeros(n, dtype=np.int64)
         self.residuals, self.sds, self.biases, self.weights = np.zeros(n), np.ones(n), np.zeros(n), np.zeros(n)
         self.rows, self.feet = np.zeros((n, 12)), np.zeros((n, 3))
@@ -901,15 +939,18 @@ class _Solver:
         discs_sought = options.end_discs != "auto"
         converged = False
         iteration = 0
+        gain = math.inf
         while iteration < options.max_iterations:
             iteration += 1
-            squares, weight_sum = self.linearise(scale, redescend=options.robust)
+            # near the end every linearisation may be the last
+            final = gain < 0.3
+            sums = self.linearise(scale, redescend=options.robust, final=final)
             if self.weights.sum() < MIN_POINTS:
                 raise InputError(
                     "too few points lie near the unit's surface to adjust it", remedy="check the approximate pose and the unit's height"
                 )
             gain = self.step()
-            previous, scale = scale, self.refined_scale(scale, squares, weight_sum)
+            previous, scale = scale, self.refined_scale(scale, *sums)
             settled = abs(scale - previous) < 2e-3 * previous
             if options.robust and options.sigma is None:
                 scale += _SCALE_CONTRACTION / (1 - _SCALE_CONTRACTION) * (scale - previous)
@@ -922,7 +963,12 @@ class _Solver:
                     continue
                 converged = True
                 break
-        return self.result(scale, converged, iteration)
+        if converged and final:
+            # so small a step moves the residuals by the rows and leaves the rest as it is
+            self.residuals += self.rows @ self.change * previous * self.sds
+            return self.result(previous, sums, converged, iteration)
+        sums = self.linearise(scale, redescend=options.robust, final=True)
+        return self.result(scale, sums, converged, iteration)
 
     def approach(self) -> float:
         """Come near from an approximate pose; returns the scale of the residuals.
@@ -1011,7 +1057,7 @@ class _Solver:
             free[6:8] = False
         gain: float = _step(
             self.normal, self.rhs, free, self.scaling, self.prior_weights, self.nominal, self.unit.leg_length,
-            self.centre, self.rotation, self.shape, self.leg_errors,
+            self.centre, self.rotation, self.shape, self.leg_errors, self.change,
         )  # fmt: skip
         return gain
 
@@ -1074,32 +1120,25 @@ class _Solver:
         self.opened, self.discs = keep, self.discs & keep
         return True
 
-    def result(self, scale: float, converged: bool, iterations: int) -> Adjustment:
-        squares, weight_sum = self.linearise(scale, redescend=self.options.robust, final=True)
-        excess = self.row_excess()
+    def result(self, scale: float, sums: tuple[float, float], converged: bool, iterations: int) -> Adjustment:
+        squares, weight_sum = sums
         free = self.free()
-        scaling = self.scaling[free]
         prior = np.diag(self.prior_weights)
         slope = self.slopes / max(self.singles, 1.0)
-        bread = (slope * self.plain + self.shared - excess + prior)[np.ix_(free, free)] * np.outer(scaling, scaling)
-        count = max(float((self.weights > 0).sum()), 1.0)
-        small_sample = count / max(count - free[:8].sum(), 1.0)
+        root, undetermined = _inverse_root(slope * self.plain + self.shared - self.row_excess() + prior, free, self.scaling)
+        white = root @ root.T
+        used = self.weights > 0
+        count = float(np.count_nonzero(used))
+        small_sample = max(count, 1.0) / max(count - np.count_nonzero(free[:8]), 1.0)
         psi = small_sample * self.psi_squares / max(self.singles, 1.0)
         noise_part = psi * self.plain + small_sample * self.shared_scores
-        values, vectors = np.linalg.eigh(bread)
-        determined = values > 1 / DETERMINED**2
-        kept = vectors[:, determined]
-        inverse = (kept / values[determined]) @ kept.T
-        white = np.zeros((12, 12))
-        white[np.ix_(free, free)] = inverse * np.outer(scaling, scaling)
-        correlated = self.guarded(self.correlated_part(white, psi), noise_part, free)
-        covariance = (white @ (noise_part + correlated + prior) @ white)[:8, :8]
+        whitened = self.rows @ root
+        correlated = self.guarded(self.correlated_part(white, whitened, psi), noise_part, free)
         uncorrelated = white @ (noise_part + prior) @ white
-        shapes = np.sqrt(np.maximum(np.diag(uncorrelated)[:8], 0)), np.sqrt(np.maximum(np.diag(covariance), 0))
-        seen = shapes[0] > 0
-        inflation = float(np.mean((shapes[1][seen] / shapes[0][seen]) ** 2)) if seen.any() else 1.0
-        undetermined = np.zeros(((~determined).sum(), 12))
-        undetermined[:, free] = vectors[:, ~determined].T
+        covariance = (uncorrelated + white @ correlated @ white)[:8, :8]
+        before, after = np.maximum(np.diag(uncorrelated)[:8], 0), np.maximum(np.diag(covariance), 0)
+        seen = before > 0
+        inflation = float(np.mean(after[seen] / before[seen])) if seen.any() else 1.0
         undetermined = undetermined[np.linalg.norm(undetermined[:, :8], axis=1) > 0.1, :8]
         lost = undetermined * self.scaling[:8]
         covariance += LOST**2 * lost.T @ lost
@@ -1107,14 +1146,13 @@ class _Solver:
         axes = np.eye(8)
         axes[:3, :3] = axes[3:6, 3:6] = self.rotation
         covariance, undetermined = axes @ covariance @ axes.T, undetermined @ axes.T
-        used = self.weights > 0
-        influence = self.weights * np.sum(self.rows @ white * self.rows, axis=1)
+        influence = self.weights * np.einsum("ij,ij->i", whitened, whitened)
         redundancy_numbers = np.where(used, np.clip(1 - influence, 0.0, 1.0), 0.0)
         with np.errstate(divide="ignore"):
             detectable = NONCENTRALITY * scale * self.sds / np.sqrt(redundancy_numbers)
         noise = scale if self.options.sigma is None else scale * math.sqrt(squares / max(weight_sum, 1e-300) / self.consistency())
         owned = np.bincount(self.legs[used & (self.parts == LATERAL)], minlength=4)
-        visible = int(np.sum(owned >= max(MIN_POINTS, 0.01 * used.sum())))
+        visible = int(np.sum(owned >= max(MIN_POINTS, 0.01 * count)))
         mean_sd = math.sqrt(float(np.mean(self.sds[used] ** 2))) if used.any() else math.nan
         a_priori = self.options.sigma or (1.0 if len(self.cov) else noise)
         return Adjustment(
@@ -1126,6 +1164,8 @@ class _Solver:
 
     def guarded(self, correlated: FloatArray, noise_part: FloatArray, free: NDArray[np.bool_]) -> FloatArray:
         """The correlated part without negative directions, if sampling the pairs of a large cloud has made any that matter."""
+        if not correlated.any():
+            return correlated
         chosen = np.ix_(free, free)
         scaling = np.outer(self.scaling[free], self.scaling[free])
         values, vectors = np.linalg.eigh(correlated[chosen] * scaling)
@@ -1147,7 +1187,7 @@ class _Solver:
     def consistency(self) -> float:
         return _SCALE_CONSISTENCY if self.options.robust else 1.0
 
-    def correlated_part(self, white: FloatArray, psi: float) -> FloatArray:
+    def correlated_part(self, white: FloatArray, whitened: FloatArray, psi: float) -> FloatArray:
         """(12, 12) what the correlation between residuals of neighbouring points adds to the expected outer product of the scores.
 
         A covariance function s exp(-(h / l)^p), p = 1 or 2, is fitted to the products of residuals by distance; the form that stands
@@ -1163,11 +1203,9 @@ class _Solver:
         u = u * self.weights[chosen] / math.sqrt(float(np.mean((u * self.weights[chosen]) ** 2)))
         # distances between adjusted observations: those between noisy points depend on the residuals
         points, rows = np.ascontiguousarray(self.feet[chosen]), np.ascontiguousarray(self.rows[chosen])
-        values, vectors = np.linalg.eigh(white[:8, :8])
-        whitened = np.ascontiguousarray(rows[:, :8] @ (vectors * np.sqrt(np.maximum(values, 0))))
         lags = _LAGS * self.unit.height
         sums, expected, counts = (np.zeros(len(lags) - 1) for _ in range(3))
-        _lag_products(points, u, whitened, self.unit.height, sums, expected, counts)
+        _lag_products(points, u, whitened[chosen], self.unit.height, sums, expected, counts)
         usable = counts > 0
         if not usable.any():
             return nothing
