@@ -55,8 +55,15 @@ APPROACH_SAMPLE = 250
 """Points with which the adjustment comes near before it uses all."""
 CORRELATION_SAMPLE = 2500
 """Points among which the correlation of residuals is looked for; all pairs are formed."""
-_LAGS = np.array([0.0, 0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12])
+IMPOSSIBLE = 6.36
+"""Standard deviations beyond its edge from which a point cannot lie on a surface (1e-10)."""
+_CELLS = 16
+"""Cells along each axis into which points are sorted to find near ones."""
+_LAG_STEP = 0.005
+_LAGS = _LAG_STEP * np.array([0, 2, 4, 6, 9, 13, 18, 24])
 """Edges of the distance classes for that, as shares of the height."""
+_LAG_CLASSES = np.searchsorted(np.round(_LAGS / _LAG_STEP) ** 2, np.arange(24**2 + 1), side="right").clip(max=len(_LAGS) - 1) - 1
+"""Class by squared distance in steps."""
 _CORRELATION_LENGTHS = np.tile(np.geomspace(0.01, 0.12, 10), 2)
 _CORRELATION_EXPONENTS = np.repeat([1.0, 2.0], 10)
 _USUAL_CORRELATION = 15
@@ -185,6 +192,8 @@ class Adjustment:
 
 
 _COMPILED: dict[str, Any] = {"cache": True, "error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
+_INLINED = _COMPILED | {"inline": "always"}
+"""Of the innermost functions: passing a dozen arrays costs as much as the work itself (measured: a third of a linearisation)."""
 
 
 @njit(**_COMPILED)  # type: ignore[untyped-decorator]
@@ -205,34 +214,39 @@ def _robust_weight(u: float) -> tuple[float, float]:
     return weight, weight - abs(u) * 4.0 * v * (1.0 - v * v) / (NO_WEIGHT - FULL_WEIGHT)
 
 
-def _scale_consistency() -> float:
-    """Weighted mean square of a standard normal variable under the weights of the scale; makes the scale consistent for clean data."""
-    u = np.linspace(0, NO_WEIGHT, 2001)
-    v = np.clip((u / SCALE_NARROWING - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT), 0, 1)
+def _weighted_square(scale: float) -> float:
+    """Weighted mean square of a standard normal variable under the weights of the scale, with the window opened by a factor."""
+    u = np.linspace(0, NO_WEIGHT * scale, 2001)
+    v = np.clip((u / (scale * SCALE_NARROWING) - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT), 0, 1)
     mass = (1 - v * v) ** 2 * np.exp(-0.5 * u * u)
     return float(np.sum(mass * u * u) / np.sum(mass))
 
 
-_SCALE_CONSISTENCY = _scale_consistency()
+_SCALE_CONSISTENCY = _weighted_square(1.0)
+"""Makes the scale consistent for clean data."""
+_SCALE_CONTRACTION = math.sqrt(_weighted_square(1.01) / _SCALE_CONSISTENCY) / 0.01 - 100
+"""Share of its error that a scale keeps when it is refined once, for clean data."""
 
 
 @njit(**_COMPILED)  # type: ignore[untyped-decorator]
 def _inside_probability(t: float) -> float:
     if t > 6.0:
         return 1.0
+    if t < -IMPOSSIBLE:
+        return 0.0
     return 0.5 * math.erfc(-t * 0.7071067811865476)
 
 
-@njit(**_COMPILED)
-def _foot(x, y, z, leg, disc, axes, creases, r, c, end, cov, has_cov, out):  # type: ignore[no-untyped-def]
+@njit(**_INLINED)
+def _foot(x, y, z, leg, disc, axes, creases, r, c, cosine, end, cov, has_cov, near, found, j):  # type: ignore[no-untyped-def]
     """Adjusted observation of one point (body frame) on the lateral surface or end disc of one leg.
 
-    ``out`` receives the outward normal (0:3), signed distance (3), standard deviation along it for unit noise (4), axial coordinate
+    ``found[j]`` receives the outward normal (0:3), signed distance (3), standard deviation along it for unit noise (4), axial coordinate
     of the foot (5), second-order bias for unit noise (6), distance of the foot inside the creases or, on a disc, inside the rim (7), and
-    the foot itself (8:11).
+    the foot itself (8:11). The distance to a crease is measured within the surface where it is below ``near``; beyond, it is a lower
+    bound.
     """
     ax, ay, az = axes[leg, 0], axes[leg, 1], axes[leg, 2]
-    cosine = 1.0 / math.sqrt(1.0 + c * c)
     fx, fy, fz = x, y, z
     nx = ny = nz = ux = uy = uz = e = 0.0
     variance = 1.0
@@ -242,9 +256,10 @@ def _foot(x, y, z, leg, disc, axes, creases, r, c, end, cov, has_cov, out):  # t
         axial = fx * ax + fy * ay + fz * az
         ux, uy, uz = fx - axial * ax, fy - axial * ay, fz - axial * az
         rho = math.sqrt(ux * ux + uy * uy + uz * uz) + 1e-300
-        ux /= rho
-        uy /= rho
-        uz /= rho
+        inverse = 1.0 / rho
+        ux *= inverse
+        uy *= inverse
+        uz *= inverse
         if disc:
             nx, ny, nz = ax, ay, az
             f = axial - end
@@ -286,91 +301,135 @@ def _foot(x, y, z, leg, disc, axes, creases, r, c, end, cov, has_cov, out):  # t
                 continue
             qx, qy, qz = creases[leg, m, 0], creases[leg, m, 1], creases[leg, m, 2]
             away = fx * qx + fy * qy + fz * qz
-            if away < 0.5 * r:
+            if away < near:
                 # from the distance to the crease's plane to the distance within the surface
                 slope = nx * qx + ny * qy + nz * qz
                 away /= math.sqrt(max(1.0 - slope * slope, 0.05))
             inside = min(inside, away)
-    out[0], out[1], out[2], out[3] = nx, ny, nz, e
-    out[4], out[5], out[6], out[7] = math.sqrt(variance), axial, bias, inside
-    out[8], out[9], out[10] = fx, fy, fz
+    found[j, 0], found[j, 1], found[j, 2], found[j, 3] = nx, ny, nz, e
+    found[j, 4], found[j, 5], found[j, 6], found[j, 7] = math.sqrt(variance), axial, bias, inside
+    found[j, 8], found[j, 9], found[j, 10] = fx, fy, fz
 
 
-@njit(**_COMPILED)
-def _candidates(x, y, z, given, axes, creases, r, c, length, ends, cov, has_cov, opened, discs, noise, found, which, density):  # type: ignore[no-untyped-def]
+@njit(**_INLINED)
+def _candidates(  # type: ignore[no-untyped-def]
+    x, y, z, given, axes, creases, r, c, cosine, ends, cov, has_cov, opened, discs, noise, reach, edge, lean, found, which, density
+):  # fmt: skip
     """Parts (0..3 lateral, 4..7 end discs) that may own a point into ``which``, the logarithm of its density under each into ``density``.
 
-    Returns how many there are and the place of the likeliest among them.
+    ``noise`` is a factor on ``cov`` or metres, ``reach`` the largest standard deviation of the point in any direction, metres. Returns how
+    many parts there are and the place of the likeliest among them; of the only one in question the density is not computed.
     """
+    for k in range(4):
+        lean[k] = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
     nearest = given
     if given < 0:
-        lean = -1e300
+        highest = -1e300
         for k in range(4):
-            s = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
-            if opened[k] and s > lean:
-                lean = s
+            if opened[k] and lean[k] > highest:
+                highest = lean[k]
                 nearest = k
-    reach = x * axes[nearest, 0] + y * axes[nearest, 1] + z * axes[nearest, 2]
+    # the creases are the planes of equal lean: a leg further off than the noise reaches cannot own the point
+    least = lean[nearest] - 8.0 * reach
+    # a distance to a crease beyond which neither membership nor the fillet depends on it
+    near = min(max(1.25 * edge, 6.0 * reach), 0.5 * r)
+    alone = not discs[nearest]
+    for k in range(4):
+        if given < 0 and k != nearest and opened[k] and lean[k] >= least:
+            alone = False
+    if alone:
+        _foot(x, y, z, nearest, False, axes, creases, r, c, cosine, ends[nearest], cov, has_cov, near, found, nearest)
+        which[0] = nearest
+        density[0] = 0.0
+        return (0 if given < 0 and found[nearest, 7] < -IMPOSSIBLE * noise * found[nearest, 4] else 1), 0
+    square = x * x + y * y + z * z
     best = -1
     count = 0
-    for k in range(4):
-        if k != nearest:
-            # the creases are the planes of equal lean: a leg further off than the noise reaches cannot own the point
-            lean = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
-            if given >= 0 or not opened[k] or reach - lean > 8.0 * noise:
+    # a part this much further off in standard deviations, squared and halved, has no share in the point
+    furthest = 1e300
+    for turn in range(4):
+        # the nearest leg first
+        k = (nearest + turn) % 4
+        if turn > 0:
+            if given >= 0 or not opened[k] or lean[k] < least:
                 continue
+            if not has_cov and not discs[k]:
+                rho = math.sqrt(max(square - lean[k] * lean[k], 0.0))
+                u = (rho - r + c * lean[k]) * cosine / noise
+                if 0.5 * u * u > furthest:
+                    continue
         for disc in range(2):
             if disc == 1 and not discs[k]:
                 continue
             j = k + 4 * disc
-            _foot(x, y, z, k, disc == 1, axes, creases, r, c, ends[k], cov, has_cov, found[j])
+            _foot(x, y, z, k, disc == 1, axes, creases, r, c, cosine, ends[k], cov, has_cov, near, found, j)
             spread = max(noise * found[j, 4], 1e-300)
             share = 1.0
             if disc == 1 or given < 0:
                 share = _inside_probability(found[j, 7] / spread)
             if disc == 0 and discs[k]:
                 share *= _inside_probability((ends[k] - found[j, 5]) / spread)
-            if share < 1e-10:
+            if share == 0.0:
                 continue
             u = found[j, 3] / spread
             which[count] = j
             density[count] = math.log(share / spread) - 0.5 * u * u
             if best < 0 or density[count] > density[best]:
                 best = count
+                furthest = 0.5 * u * u - math.log(share) + 12.0
             count += 1
     return count, best
 
 
+@njit(**_INLINED)
+def _add_outer(matrix, row, factor, part):  # type: ignore[no-untyped-def]
+    """Add ``factor`` times the outer product of a row of one part; of an end disc's unknown only what lies below the diagonal."""
+    for a in range(8):
+        p = factor * row[a]
+        for b in range(8):
+            matrix[a, b] += p * row[b]
+    if part >= 4:
+        p = factor * row[part + 4]
+        matrix[part + 4, part + 4] += p * row[part + 4]
+        for b in range(8):
+            matrix[part + 4, b] += p * row[b]
+
+
 @njit(**_COMPILED)
 def linearise_points(  # type: ignore[no-untyped-def]
-    points, centre, rotation, axes, creases, shape, ends, cov, given, opened, discs, scale, noise, correct, tip, edge, redescend, final,
+    points, centre, rotation, axes, creases, shape, ends, cov, given, opened, discs, scale, correct, tip, edge, redescend, final,
     normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, rows, feet,
 ):  # fmt: skip
     """One linearisation: normal equations, right-hand side and the state of every point.
 
-    ``scale`` standardises residuals and ``noise`` is the noise for memberships, both in metres or as a factor on ``cov``; ``correct`` is
-    the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for
-    what the covariance needs. Of the 12 unknowns the last four are the errors of the
-    leg lengths. ``normal`` and ``rhs`` make the Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``
+    ``scale`` standardises residuals and is the noise for memberships, in metres or as a factor on ``cov``; ``correct`` is
+    the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for what the covariance needs. Of the 12 unknowns,
+    shift and turn are along the axes of the body, and the last four are the errors of the leg lengths. ``normal`` and ``rhs`` make the
+    Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``
     (their rows' outer products), the others ``shared`` (derivative of their scores) and ``shared_scores`` (outer products of these).
     Returns the sum of squared residuals and the sum of weights that make the scale, and of the former points the sums of psi^2, of
     psi', and their number.
     """
     n = points.shape[0]
-    r, c, length = shape[0], shape[1], shape[2]
+    r, c = shape[0], shape[1]
     has_cov = cov.shape[0] == n
+    has_given = given.shape[0] == n
     normal[:, :] = 0.0
-    plain[:, :] = 0.0
-    shared[:, :] = 0.0
-    shared_scores[:, :] = 0.0
     rhs[:] = 0.0
+    if final:
+        plain[:, :] = 0.0
+        shared[:, :] = 0.0
+        shared_scores[:, :] = 0.0
     body_cov = np.zeros((3, 3))
     found = np.zeros((8, 11))
     density = np.zeros(8)
+    lean = np.zeros(4)
     which = np.zeros(8, dtype=np.int64)
     row = np.zeros(12)
     mean_score = np.zeros(12)
     cosine = 1.0 / math.sqrt(1.0 + c * c)
+    square_correct = correct * correct
+    reach = scale
     squares = total_weight = psi_squares = slopes = singles = 0.0
     for i in range(n):
         legs[i] = -1
@@ -379,8 +438,11 @@ def linearise_points(  # type: ignore[no-untyped-def]
         residuals[i] = math.nan
         sds[i] = 1.0
         biases[i] = 0.0
-        known = given[i] if given.shape[0] == n else -1
-        if known < 0 and given.shape[0] == n:
+        if final:
+            for m in range(12):
+                rows[i, m] = 0.0
+        known = given[i] if has_given else -1
+        if known < 0 and has_given:
             continue
         px, py, pz = points[i, 0] - centre[0], points[i, 1] - centre[1], points[i, 2] - centre[2]
         x = rotation[0, 0] * px + rotation[1, 0] * py + rotation[2, 0] * pz
@@ -394,9 +456,11 @@ def linearise_points(  # type: ignore[no-untyped-def]
                         for q in range(3):
                             total += rotation[p, a] * cov[i, p, q] * rotation[q, b]
                     body_cov[a, b] = total
+            reach = scale * math.sqrt(body_cov[0, 0] + body_cov[1, 1] + body_cov[2, 2])
         count, likeliest = _candidates(
-            x, y, z, known, axes, creases, r, c, length, ends, body_cov, has_cov, opened, discs, noise, found, which, density
-        )
+            x, y, z, known, axes, creases, r, c, cosine, ends, body_cov, has_cov, opened, discs, scale, reach, edge, lean, found, which,
+            density,
+        )  # fmt: skip
         if count == 0:
             continue
         best = which[likeliest]
@@ -404,7 +468,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
         parts[i] = best // 4
         residuals[i] = found[best, 3]
         sds[i] = found[best, 4]
-        biases[i] = found[best, 6] * correct * correct
+        biases[i] = found[best, 6] * square_correct
         total = 1.0
         for m in range(count):
             if m != likeliest and density[m] > density[likeliest] - 30.0:
@@ -431,46 +495,34 @@ def linearise_points(  # type: ignore[no-untyped-def]
             if gate == 0.0:
                 continue
             share *= gate
-            s = scale * found[k, 4]
-            u = (found[k, 3] - found[k, 6] * correct * correct) / s
+            per_noise = 1.0 / (scale * found[k, 4])
+            u = (found[k, 3] - found[k, 6] * square_correct) * per_noise
             robust = 1.0
             slope = 1.0
+            narrow = 1.0
             if redescend:
                 robust, slope = _robust_weight(u)
                 if robust == 0.0:
                     continue
+                narrow = _robust_weight(u / SCALE_NARROWING)[0]
             w = share * robust
-            nx, ny, nz = found[k, 0], found[k, 1], found[k, 2]
-            mx, my, mz = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
-            for m in range(3):
-                row[m] = -(rotation[m, 0] * nx + rotation[m, 1] * ny + rotation[m, 2] * nz) / s
-                row[m + 3] = (rotation[m, 0] * mx + rotation[m, 1] * my + rotation[m, 2] * mz) / s
-            row[6] = -cosine / s if k < 4 else 0.0
-            row[7] = found[k, 5] * cosine / s if k < 4 else 0.0
+            nx, ny, nz = found[k, 0] * per_noise, found[k, 1] * per_noise, found[k, 2] * per_noise
+            row[0], row[1], row[2] = -nx, -ny, -nz
+            row[3], row[4], row[5] = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
+            row[6] = -cosine * per_noise if k < 4 else 0.0
+            row[7] = found[k, 5] * cosine * per_noise if k < 4 else 0.0
             for m in range(4):
-                row[8 + m] = -1.0 / s if m + 4 == k else 0.0
+                row[8 + m] = -per_noise if m + 4 == k else 0.0
             if k == best:
                 weights[i] = w
                 if final:
                     for m in range(12):
                         rows[i, m] = row[m]
-            narrow = 1.0
-            if redescend:
-                narrow = _robust_weight(u / SCALE_NARROWING)[0]
             squares += share * narrow * u * u
             total_weight += share * narrow
-            last = 8 if k < 4 else 12
-            for a in range(8):
-                p = w * row[a]
-                rhs[a] -= p * u
-                for b in range(8):
-                    normal[a, b] += p * row[b]
-            if k >= 4:
-                p = w * row[k + 4]
-                rhs[k + 4] -= p * u
-                normal[k + 4, k + 4] += p * row[k + 4]
-                for b in range(8):
-                    normal[k + 4, b] += p * row[b]
+            for a in range(12):
+                rhs[a] -= w * u * row[a]
+            _add_outer(normal, row, w, k)
             if not final:
                 continue
             if gate < 1.0:
@@ -479,78 +531,81 @@ def linearise_points(  # type: ignore[no-untyped-def]
                 singles += 1.0
                 psi_squares += robust * robust * u * u
                 slopes += slope
-            for a in range(last):
-                if single:
-                    for b in range(a + 1):
-                        plain[a, b] += row[a] * row[b]
-                else:
+                _add_outer(plain, row, 1.0, k)
+            else:
+                for a in range(12):
                     mean_score[a] += w * u * row[a]
-                    for b in range(a + 1):
-                        shared[a, b] += (share * slope - w * robust * u * u) * row[a] * row[b]
+                _add_outer(shared, row, share * slope - w * robust * u * u, k)
         if final and not single:
             for a in range(12):
                 for b in range(a + 1):
                     product = mean_score[a] * mean_score[b]
                     shared[a, b] += product
                     shared_scores[a, b] += product
-    for matrix in (normal, plain, shared, shared_scores):
-        for a in range(12):
-            for b in range(a):
-                matrix[b, a] = matrix[a, b]
+    for a in range(12):
+        for b in range(a):
+            normal[b, a] = normal[a, b]
+            if final:
+                plain[b, a] = plain[a, b]
+                shared[b, a] = shared[a, b]
+                shared_scores[b, a] = shared_scores[a, b]
     return squares, total_weight, psi_squares, slopes, singles
 
 
 @njit(**_COMPILED)
-def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, noise, out):  # type: ignore[no-untyped-def]
+def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, stride, out):  # type: ignore[no-untyped-def]
     """What the noise along the surface adds to the normal equations but not to what the points determine, into ``out`` (12, 12).
 
     Rows are taken at adjusted observations, which keep the noise along the surface, so legs look longer and better determining than
     they are. The second derivative of the distance, times the residual, cancels this in the expected derivative of the scores; both come
     to the noise variance times the outer product of the rows' derivatives (the errors-in-variables effect; 5 % of the variance where
-    the noise is a tenth of the radius).
+    the noise is a tenth of the radius). A smooth sum, taken over every ``stride``-th point.
     """
     c = shape[1]
     cosine = 1.0 / math.sqrt(1.0 + c * c)
     has_cov = cov.shape[0] == feet.shape[0]
-    body_cov = np.eye(3)
+    shift, turn = np.zeros(12), np.zeros(12)
+    taken = all_weight = 0.0
     for i in range(feet.shape[0]):
-        if weights[i] <= 0.0:
+        all_weight += weights[i]
+        if i % stride != 0 or weights[i] <= 0.0:
             continue
-        axis = axes[legs[i]]
-        z = feet[i] @ axis
-        across = feet[i] - z * axis
-        rho = math.sqrt(across @ across) + 1e-300
-        u = across / rho
-        t = np.array([axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2], axis[0] * u[1] - axis[1] * u[0]])
+        taken += weights[i]
+        ax, ay, az = axes[legs[i], 0], axes[legs[i], 1], axes[legs[i], 2]
+        z = feet[i, 0] * ax + feet[i, 1] * ay + feet[i, 2] * az
+        ux, uy, uz = feet[i, 0] - z * ax, feet[i, 1] - z * ay, feet[i, 2] - z * az
+        rho = math.sqrt(ux * ux + uy * uy + uz * uz) + 1e-300
+        ux, uy, uz = ux / rho, uy / rho, uz / rho
+        tx, ty, tz = ay * uz - az * uy, az * ux - ax * uz, ax * uy - ay * ux
         lateral = parts[i] == 0
-        n = (u + c * axis) * cosine if lateral else axis
-        g = (axis - c * u) * cosine if lateral else u
+        along_t = along_g = 1.0
         if has_cov:
+            n, g, t = np.array([ax, ay, az]), np.array([ux, uy, uz]), np.array([tx, ty, tz])
+            if lateral:
+                n, g = (g + c * n) * cosine, (n - c * g) * cosine
             body_cov = rotation.T @ cov[i] @ rotation
-        spread = body_cov @ n
-        variance = n @ spread
-        along_t = (t @ (body_cov @ t) - (t @ spread) ** 2 / variance) * noise * noise
-        along_g = (g @ (body_cov @ g) - (g @ spread) ** 2 / variance) * noise * noise
-        p = weights[i] / (noise * sds[i]) ** 2
-        shift = np.zeros(12)
-        turn = np.zeros(12)
+            spread = body_cov @ n
+            variance = n @ spread
+            along_t = t @ (body_cov @ t) - (t @ spread) ** 2 / variance
+            along_g = g @ (body_cov @ g) - (g @ spread) ** 2 / variance
+        p = weights[i] / (sds[i] * sds[i])
+        shift[3], shift[4], shift[5] = -tx, -ty, -tz
+        arm = 1.0
         if lateral:
-            arm = cosine * (z - c * rho)
-            shift[3:6] = -(rotation @ t)
+            arm = cosine * (z - c * rho) / rho
             shift[7] = cosine * cosine
-            turn[:3] = -cosine * (rotation @ t) / rho
-            turn[3:6] = arm * (rotation @ u) / rho
+            turn[0], turn[1], turn[2] = -cosine * tx / rho, -cosine * ty / rho, -cosine * tz / rho
         else:
-            shift[3:6] = -(rotation @ t)
-            turn[3:6] = rotation @ u
-        for a in range(8):
-            for b in range(8):
-                out[a, b] += p * (along_g * shift[a] * shift[b] + along_t * turn[a] * turn[b])
+            shift[7] = turn[0] = turn[1] = turn[2] = 0.0
+        turn[3], turn[4], turn[5] = arm * ux, arm * uy, arm * uz
+        _add_outer(out, shift, p * along_g, 0)
+        _add_outer(out, turn, p * along_t, 0)
+    out *= all_weight / max(taken, 1.0)
 
 
 @njit(**_COMPILED)
 def _turned(rotation, vector):  # type: ignore[no-untyped-def]
-    """exp([vector]x) @ rotation, by Rodrigues' formula."""
+    """rotation @ exp([vector]x), by Rodrigues' formula."""
     x, y, z = vector[0], vector[1], vector[2]
     angle = math.sqrt(x * x + y * y + z * z)
     # sin(a)/a and (1 - cos a)/a^2 without loss of digits for small angles
@@ -559,58 +614,216 @@ def _turned(rotation, vector):  # type: ignore[no-untyped-def]
     second = 0.5 * half * half
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     turn = np.eye(3) + first * cross + second * (cross @ cross)
-    return turn @ rotation
+    return rotation @ turn
 
 
 @njit(**_COMPILED)
-def _lag_products(points, values, whitened, lags, sums, expected, counts):  # type: ignore[no-untyped-def]
-    """Products of residuals over all pairs of points sorted by x, by class of distance, and what the fit makes of white noise there."""
+def _step(normal, rhs, free, scaling, prior_weights, nominal, leg_length, centre, rotation, shape, leg_errors, change):  # type: ignore[no-untyped-def]
+    """Make one Gauss-Newton step in place, no longer than a leg's width and kept in ``change``; returns its squared length in standard
+    deviations.
+
+    The equations are damped at what counts as undetermined: that only holds still what the points do not determine, and has no effect at
+    convergence. Scaled so, they are positive definite, and are solved by Cholesky's factors.
+    """
+    chosen = np.flatnonzero(free)
+    m = len(chosen)
+    factor = np.zeros((m, m))
+    along, inner = np.zeros(m), np.zeros(m)
+    for a in range(m):
+        p = chosen[a]
+        value = rhs[p]
+        if 6 <= p < 8:
+            value += prior_weights[p] * (nominal[p - 6] - shape[p - 6])
+        elif p >= 8:
+            value -= prior_weights[p] * leg_errors[p - 8]
+        along[a] = scaling[p] * value
+        inner[a] = along[a]
+        for b in range(a + 1):
+            q = chosen[b]
+            total = normal[p, q] * scaling[p] * scaling[q]
+            if a == b:
+                total += prior_weights[p] * scaling[p] * scaling[p] + 1.0 / DETERMINED**2
+            for k in range(b):
+                total -= factor[a, k] * factor[b, k]
+            factor[a, b] = math.sqrt(total) if a == b else total / factor[b, b]
+        for k in range(a):
+            inner[a] -= factor[a, k] * inner[k]
+        inner[a] /= factor[a, a]
+    gain = 0.0
+    for a in range(m - 1, -1, -1):
+        for k in range(a + 1, m):
+            inner[a] -= factor[k, a] * inner[k]
+        inner[a] /= factor[a, a]
+        gain += along[a] * inner[a]
+    change[:] = 0.0
+    change[chosen] = scaling[chosen] * inner
+    longest = max(
+        math.sqrt(change[0] ** 2 + change[1] ** 2 + change[2] ** 2) / (0.25 * nominal[0]),
+        math.sqrt(change[3] ** 2 + change[4] ** 2 + change[5] ** 2) / 0.15,
+        abs(change[6]) / (0.1 * nominal[0]),
+        abs(change[7]) / 0.05,
+        1.0,
+    )
+    change /= longest
+    centre += rotation @ change[:3]
+    rotation[:, :] = _turned(rotation, change[3:6])
+    shape += change[6:8]
+    # a cone that closes before the end of its leg has no meaning
+    shape[0] = max(shape[0], 0.2 * nominal[0])
+    shape[1] = min(max(shape[1], 0.0), 0.95 * shape[0] / leg_length)
+    leg_errors += change[8:]
+    return gain
+
+
+@njit(**_COMPILED)
+def _inverse_root(matrix, free, scaling):  # type: ignore[no-untyped-def]
+    """(12, m) root whose square is the inverse of a (12, 12) matrix in the free unknowns, over the m directions that are determined; and
+    the (k, 12) unit directions, scaled, that are not."""
+    chosen = np.flatnonzero(free)
+    n = len(chosen)
+    scaled = np.zeros((n, n))
+    for a in range(n):
+        for b in range(n):
+            scaled[a, b] = matrix[chosen[a], chosen[b]] * scaling[chosen[a]] * scaling[chosen[b]]
+    values, vectors = np.linalg.eigh(scaled)
+    # in ascending order
+    k = np.searchsorted(values, 1.0 / DETERMINED**2, side="right")
+    root, undetermined = np.zeros((12, n - k)), np.zeros((k, 12))
+    for a in range(n):
+        for b in range(k, n):
+            root[chosen[a], b - k] = scaling[chosen[a]] * vectors[a, b] / math.sqrt(values[b])
+        for b in range(k):
+            undetermined[b, chosen[a]] = vectors[a, b]
+    return root, undetermined
+
+
+@njit(**_COMPILED)
+def _clear_counts(points, centre, rotation, axes, opened, sds, weights, legs, scale):  # type: ignore[no-untyped-def]
+    """(4,) number of points that belong to each leg beyond doubt: well used and far from the creases with other opened legs."""
+    counts = np.zeros(4)
+    for i in range(points.shape[0]):
+        if weights[i] <= 0.5:
+            continue
+        px, py, pz = points[i, 0] - centre[0], points[i, 1] - centre[1], points[i, 2] - centre[2]
+        x = rotation[0, 0] * px + rotation[1, 0] * py + rotation[2, 0] * pz
+        y = rotation[0, 1] * px + rotation[1, 1] * py + rotation[2, 1] * pz
+        z = rotation[0, 2] * px + rotation[1, 2] * py + rotation[2, 2] * pz
+        highest = second = -1e300
+        for k in range(4):
+            if opened[k]:
+                lean = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
+                if lean > highest:
+                    highest, second = lean, highest
+                elif lean > second:
+                    second = lean
+        if highest - second > 4.0 * scale * sds[i]:
+            counts[legs[i]] += 1.0
+    return counts
+
+
+@njit(**_COMPILED)
+def _in_cells(points, size):  # type: ignore[no-untyped-def]
+    """Order of body-frame points by cubic cell of the given size, and where each cell starts; whatever is far out shares the outer cells."""
     n = points.shape[0]
-    squares = lags * lags
-    reach = squares[-1]
-    first = 0
+    cell = np.zeros(n, dtype=np.int64)
+    starts = np.zeros(_CELLS**3 + 1, dtype=np.int64)
     for i in range(n):
-        while points[i, 0] - points[first, 0] > lags[-1]:
-            first += 1
-        for j in range(first, i):
-            dx, dy, dz = points[i, 0] - points[j, 0], points[i, 1] - points[j, 1], points[i, 2] - points[j, 2]
-            square = dx * dx + dy * dy + dz * dz
-            if square >= reach:
-                continue
-            k = 0
-            while squares[k + 1] <= square:
-                k += 1
-            counts[k] += 1.0
-            sums[k] += values[i] * values[j]
-            if (i + j) % 4 == 0:
-                # smooth in the distance: a quarter of the pairs is enough
+        for d in range(3):
+            place = int(min(max(points[i, d] / size + _CELLS // 2, 0.0), _CELLS - 1.0))
+            cell[i] = cell[i] * _CELLS + place
+        starts[cell[i] + 1] += 1
+    for k in range(_CELLS**3):
+        starts[k + 1] += starts[k]
+    order = np.zeros(n, dtype=np.int64)
+    place = starts.copy()
+    for i in range(n):
+        order[place[cell[i]]] = i
+        place[cell[i]] += 1
+    return order, starts
+
+
+@njit(**_COMPILED)
+def _near_ranges(starts):  # type: ignore[no-untyped-def]
+    """(m, 4) ranges first, last, low, high such that every pair i < j of points in the same or touching cells, once, has i in the former
+    and j in the latter."""
+    ranges = np.zeros((5 * _CELLS**3, 4), dtype=np.int64)
+    count = 0
+    for x in range(_CELLS):
+        for y in range(_CELLS):
+            for z in range(_CELLS):
+                cell = (x * _CELLS + y) * _CELLS + z
+                if starts[cell] == starts[cell + 1]:
+                    continue
+                for ox in range(x, min(x + 2, _CELLS)):
+                    for oy in range(max(y - 1, 0) if ox > x else y, min(y + 2, _CELLS)):
+                        # cells of one column follow one another, so that their points form one range
+                        column = (ox * _CELLS + oy) * _CELLS
+                        low = cell if ox == x and oy == y else column + max(z - 1, 0)
+                        ranges[count, 0], ranges[count, 1] = starts[cell], starts[cell + 1]
+                        ranges[count, 2], ranges[count, 3] = starts[low], starts[column + min(z + 2, _CELLS)]
+                        count += 1
+    return ranges[:count]
+
+
+@njit(**_COMPILED)
+def _near(points, i, low, high, reach, near, squares):  # type: ignore[no-untyped-def]
+    """Points low..high nearer than ``reach`` (squared) to point i into ``near`` and ``squares``; returns their number.
+
+    Without a branch, since no processor can foresee which points are near.
+    """
+    count = 0
+    x, y, z = points[i, 0], points[i, 1], points[i, 2]
+    for j in range(max(low, i + 1), high):
+        dx, dy, dz = x - points[j, 0], y - points[j, 1], z - points[j, 2]
+        square = dx * dx + dy * dy + dz * dz
+        near[count] = j
+        squares[count] = square
+        count += square < reach
+    return count
+
+
+@njit(**_COMPILED)
+def _lag_products(points, values, whitened, height, sums, expected, counts):  # type: ignore[no-untyped-def]
+    """Products of residuals over all pairs of points by class of distance, and what the fit makes of white noise there."""
+    reach = _LAGS[-1] * height
+    order, starts = _in_cells(points, reach)
+    points, values, whitened = points[order], values[order], whitened[order]
+    near, squares = np.zeros(len(points) + 1, dtype=np.int64), np.zeros(len(points) + 1)
+    per_square = 1.0 / (_LAG_STEP * height) ** 2
+    for first, last, low, high in _near_ranges(starts):
+        for i in range(first, last):
+            count = _near(points, i, low, high, reach * reach, near, squares)
+            for h in range(count):
+                k = _LAG_CLASSES[int(squares[h] * per_square)]
+                counts[k] += 1.0
+                sums[k] += values[i] * values[near[h]]
+            # smooth in the distance: a quarter of the pairs is enough
+            for h in range(i % 4, count, 4):
+                k = _LAG_CLASSES[int(squares[h] * per_square)]
                 hat = 0.0
                 for m in range(whitened.shape[1]):
-                    hat += whitened[i, m] * whitened[j, m]
+                    hat += whitened[i, m] * whitened[near[h], m]
                 expected[k] -= 4.0 * hat
 
 
 @njit(**_COMPILED)
 def _pair_products(points, rows, length, exponent, reach, out):  # type: ignore[no-untyped-def]
-    """Sum over pairs i != j of exp(-(distance / length)^exponent) times the outer product of their rows, into ``out``; sorted by x."""
-    n, m = rows.shape
-    mixed = np.zeros(m)
-    first = 0
-    for i in range(n):
-        while points[i, 0] - points[first, 0] > reach:
-            first += 1
-        mixed[:] = 0.0
-        for j in range(first, i):
-            dx, dy, dz = points[i, 0] - points[j, 0], points[i, 1] - points[j, 1], points[i, 2] - points[j, 2]
-            square = dx * dx + dy * dy + dz * dz
-            if square > reach * reach:
-                continue
-            correlation = math.exp(-((math.sqrt(square) / length) ** exponent))
-            for a in range(m):
-                mixed[a] += correlation * rows[j, a]
-        for a in range(m):
-            for b in range(m):
-                out[a, b] += rows[i, a] * mixed[b] + mixed[a] * rows[i, b]
+    """Sum over pairs i != j of exp(-(distance / length)^exponent) times the outer product of their rows, into ``out``."""
+    order, starts = _in_cells(points, reach)
+    points, rows = points[order], rows[order]
+    near, squares = np.zeros(len(points) + 1, dtype=np.int64), np.zeros(len(points) + 1)
+    mixed = np.zeros(rows.shape)
+    for first, last, low, high in _near_ranges(starts):
+        for i in range(first, last):
+            for h in range(_near(points, i, low, high, reach * reach, near, squares)):
+                t = squares[h] / (length * length)
+                correlation = math.exp(-t if exponent == 2.0 else -math.sqrt(t))
+                for a in range(12):
+                    mixed[i, a] += correlation * rows[near[h], a]
+    for i in range(rows.shape[0]):
+        for a in range(12):
+            for b in range(12):
+                out[a, b] += rows[i, a] * mixed[i, b] + mixed[i, a] * rows[i, b]
 
 
 def adjust(
@@ -698,15 +911,15 @@ class _Solver:
     def __init__(self, xyz: FloatArray, unit: UnitType, pose: Pose, options: AdjustmentOptions, cov: FloatArray, given: IntArray) -> None:
         n = len(xyz)
         self.xyz, self.unit, self.options, self.cov, self.given = xyz, unit, options, cov, given
-        self.centre, self.rotation = np.array(pose.centre), np.ascontiguousarray(pose.rotation, dtype=np.float64)
+        self.centre, self.rotation = np.array(pose.centre), np.array(pose.rotation, dtype=np.float64, order="C")
         self.nominal = np.array([unit.radius, unit.gradient])
-        self.shape = np.array([unit.radius, unit.gradient, unit.leg_length])
+        self.shape = self.nominal.copy()
         self.leg_errors = np.zeros(4)
         self.axes = np.ascontiguousarray(unit.leg_directions)
         between = self.axes[:, None] - self.axes[None]
         self.creases = between / np.maximum(np.linalg.norm(between, axis=2, keepdims=True), 1e-300)
         self.normal, self.plain, self.shared, self.shared_scores = (np.zeros((12, 12)) for _ in range(4))
-        self.rhs = np.zeros(12)
+        self.rhs, self.change = np.zeros(12), np.zeros(12)
         self.legs, self.parts = np.zeros(n, dtype=np.int64), np.zeros(n, dtype=np.int64)
         self.residuals, self.sds, self.biases, self.weights = np.zeros(n), np.ones(n), np.zeros(n), np.zeros(n)
         self.rows, self.feet = np.zeros((n, 12)), np.zeros((n, 3))
@@ -726,16 +939,22 @@ class _Solver:
         discs_sought = options.end_discs != "auto"
         converged = False
         iteration = 0
+        gain = math.inf
         while iteration < options.max_iterations:
             iteration += 1
-            squares, weight_sum = self.linearise(scale, redescend=options.robust)
+            # near the end every linearisation may be the last
+            final = gain < 0.3
+            sums = self.linearise(scale, redescend=options.robust, final=final)
             if self.weights.sum() < MIN_POINTS:
                 raise InputError(
                     "too few points lie near the unit's surface to adjust it", remedy="check the approximate pose and the unit's height"
                 )
             gain = self.step()
-            previous, scale = scale, self.refined_scale(scale, squares, weight_sum)
-            if gain < 1e-3 and abs(scale - previous) < 2e-3 * previous:
+            previous, scale = scale, self.refined_scale(scale, *sums)
+            settled = abs(scale - previous) < 2e-3 * previous
+            if options.robust and options.sigma is None:
+                scale += _SCALE_CONTRACTION / (1 - _SCALE_CONTRACTION) * (scale - previous)
+            if gain < 1e-3 and settled:
                 if not discs_sought:
                     discs_sought = True
                     if self.find_discs(scale):
@@ -744,7 +963,12 @@ class _Solver:
                     continue
                 converged = True
                 break
-        return self.result(scale, converged, iteration)
+        if converged and final:
+            # so small a step moves the residuals by the rows and leaves the rest as it is
+            self.residuals += self.rows @ self.change * previous * self.sds
+            return self.result(previous, sums, converged, iteration)
+        sums = self.linearise(scale, redescend=options.robust, final=True)
+        return self.result(scale, sums, converged, iteration)
 
     def approach(self) -> float:
         """Come near from an approximate pose; returns the scale of the residuals.
@@ -817,48 +1041,25 @@ class _Solver:
         correct = (self.options.sigma or scale) if self.options.bias_correction else 0.0
         squares, weight_sum, self.psi_squares, self.slopes, self.singles = linearise_points(
             self.xyz, self.centre, self.rotation, self.axes, self.creases, self.shape, self.unit.leg_length + self.leg_errors, self.cov,
-            self.given, self.opened, self.discs, scale, scale, correct, self.tip, self.edge, redescend, final,
+            self.given, self.opened, self.discs, scale, correct, self.tip, self.edge, redescend, final,
             self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
             self.biases, self.weights, self.rows, self.feet,
         )  # fmt: skip
-        self.normal.flat[::13] += self.prior_weights
-        self.rhs[6:8] += self.prior_weights[6:8] * (self.nominal - self.shape[:2])
-        self.rhs[8:] -= self.prior_weights[8:] * self.leg_errors
-        return float(squares), float(weight_sum)
+        return squares, weight_sum
 
     def free(self) -> NDArray[np.bool_]:
         return np.concatenate([self.prior_sd[:8] > 0, self.discs])
 
     def step(self, *, hold_shape: bool = False) -> float:
-        """Make one Gauss-Newton step, no longer than a leg's width; returns its squared length in standard deviations."""
+        """Make one Gauss-Newton step; returns its squared length in standard deviations."""
         free = self.free()
         if hold_shape:
             free[6:8] = False
-        chosen = np.flatnonzero(free)
-        scaling = self.scaling[chosen]
-        damped = self.normal[chosen[:, None], chosen] * (scaling[:, None] * scaling)
-        # the damping only holds still what the points do not determine; at convergence it has no effect
-        damped.flat[:: len(chosen) + 1] += 1 / DETERMINED**2
-        along = scaling * self.rhs[chosen]
-        inner = np.linalg.solve(damped, along)
-        change = np.zeros(12)
-        change[chosen] = scaling * inner
-        longest = max(
-            math.hypot(*change[:3]) / (0.25 * self.unit.radius),
-            math.hypot(*change[3:6]) / 0.15,
-            abs(change[6]) / (0.1 * self.unit.radius),
-            abs(change[7]) / 0.05,
-            1.0,
-        )
-        change /= longest
-        self.centre = self.centre + change[:3]
-        self.rotation = _turned(self.rotation, change[3:6])
-        self.shape[:2] += change[6:8]
-        # a cone that closes before the end of its leg has no meaning
-        self.shape[0] = max(self.shape[0], 0.2 * self.unit.radius)
-        self.shape[1] = min(max(self.shape[1], 0.0), 0.95 * self.shape[0] / self.unit.leg_length)
-        self.leg_errors += change[8:]
-        return float(along @ inner)
+        gain: float = _step(
+            self.normal, self.rhs, free, self.scaling, self.prior_weights, self.nominal, self.unit.leg_length,
+            self.centre, self.rotation, self.shape, self.leg_errors, self.change,
+        )  # fmt: skip
+        return gain
 
     def standardised(self) -> FloatArray:
         return np.asarray((self.residuals - self.biases) / self.sds)
@@ -911,54 +1112,47 @@ class _Solver:
         """Shut legs that own no points beyond doubt: what a crease shares with them says nothing about where they are."""
         if len(self.given):
             return False
-        spread = scale * self.sds
-        lean = np.sort(((self.xyz - self.centre) @ self.rotation) @ self.axes[self.opened].T, axis=1)
-        clear = (self.weights > 0.5) & ((lean[:, -1] - lean[:, -2] > 4 * spread) if lean.shape[1] > 1 else True)
-        used = float((self.weights > 0).sum())
-        counts = np.bincount(self.legs[clear], minlength=4)
+        counts = _clear_counts(self.xyz, self.centre, self.rotation, self.axes, self.opened, self.sds, self.weights, self.legs, scale)
+        used = float(np.count_nonzero(self.weights))
         keep = self.opened & (counts >= max(MIN_POINTS, 0.01 * used))
         if not keep.any() or (keep == self.opened).all():
             return False
         self.opened, self.discs = keep, self.discs & keep
         return True
 
-    def result(self, scale: float, converged: bool, iterations: int) -> Adjustment:
-        squares, weight_sum = self.linearise(scale, redescend=self.options.robust, final=True)
-        excess = self.row_excess(scale)
+    def result(self, scale: float, sums: tuple[float, float], converged: bool, iterations: int) -> Adjustment:
+        squares, weight_sum = sums
         free = self.free()
-        scaling = self.scaling[free]
         prior = np.diag(self.prior_weights)
         slope = self.slopes / max(self.singles, 1.0)
-        bread = (slope * self.plain + self.shared - excess + prior)[np.ix_(free, free)] * np.outer(scaling, scaling)
-        count = max(float((self.weights > 0).sum()), 1.0)
-        small_sample = count / max(count - free[:8].sum(), 1.0)
+        root, undetermined = _inverse_root(slope * self.plain + self.shared - self.row_excess() + prior, free, self.scaling)
+        white = root @ root.T
+        used = self.weights > 0
+        count = float(np.count_nonzero(used))
+        small_sample = max(count, 1.0) / max(count - np.count_nonzero(free[:8]), 1.0)
         psi = small_sample * self.psi_squares / max(self.singles, 1.0)
         noise_part = psi * self.plain + small_sample * self.shared_scores
-        values, vectors = np.linalg.eigh(bread)
-        determined = values > 1 / DETERMINED**2
-        kept = vectors[:, determined]
-        inverse = (kept / values[determined]) @ kept.T
-        white = np.zeros((12, 12))
-        white[np.ix_(free, free)] = inverse * np.outer(scaling, scaling)
-        correlated = self.guarded(self.correlated_part(white, psi), noise_part, free)
-        covariance = (white @ (noise_part + correlated + prior) @ white)[:8, :8]
+        whitened = self.rows @ root
+        correlated = self.guarded(self.correlated_part(white, whitened, psi), noise_part, free)
         uncorrelated = white @ (noise_part + prior) @ white
-        shapes = np.sqrt(np.maximum(np.diag(uncorrelated)[:8], 0)), np.sqrt(np.maximum(np.diag(covariance), 0))
-        seen = shapes[0] > 0
-        inflation = float(np.mean((shapes[1][seen] / shapes[0][seen]) ** 2)) if seen.any() else 1.0
-        undetermined = np.zeros(((~determined).sum(), 12))
-        undetermined[:, free] = vectors[:, ~determined].T
+        covariance = (uncorrelated + white @ correlated @ white)[:8, :8]
+        before, after = np.maximum(np.diag(uncorrelated)[:8], 0), np.maximum(np.diag(covariance), 0)
+        seen = before > 0
+        inflation = float(np.mean(after[seen] / before[seen])) if seen.any() else 1.0
         undetermined = undetermined[np.linalg.norm(undetermined[:, :8], axis=1) > 0.1, :8]
         lost = undetermined * self.scaling[:8]
         covariance += LOST**2 * lost.T @ lost
-        used = self.weights > 0
-        influence = self.weights * np.sum(self.rows @ white * self.rows, axis=1)
+        # from the axes of the body to those of the points
+        axes = np.eye(8)
+        axes[:3, :3] = axes[3:6, 3:6] = self.rotation
+        covariance, undetermined = axes @ covariance @ axes.T, undetermined @ axes.T
+        influence = self.weights * np.einsum("ij,ij->i", whitened, whitened)
         redundancy_numbers = np.where(used, np.clip(1 - influence, 0.0, 1.0), 0.0)
         with np.errstate(divide="ignore"):
             detectable = NONCENTRALITY * scale * self.sds / np.sqrt(redundancy_numbers)
         noise = scale if self.options.sigma is None else scale * math.sqrt(squares / max(weight_sum, 1e-300) / self.consistency())
         owned = np.bincount(self.legs[used & (self.parts == LATERAL)], minlength=4)
-        visible = int(np.sum(owned >= max(MIN_POINTS, 0.01 * used.sum())))
+        visible = int(np.sum(owned >= max(MIN_POINTS, 0.01 * count)))
         mean_sd = math.sqrt(float(np.mean(self.sds[used] ** 2))) if used.any() else math.nan
         a_priori = self.options.sigma or (1.0 if len(self.cov) else noise)
         return Adjustment(
@@ -970,6 +1164,8 @@ class _Solver:
 
     def guarded(self, correlated: FloatArray, noise_part: FloatArray, free: NDArray[np.bool_]) -> FloatArray:
         """The correlated part without negative directions, if sampling the pairs of a large cloud has made any that matter."""
+        if not correlated.any():
+            return correlated
         chosen = np.ix_(free, free)
         scaling = np.outer(self.scaling[free], self.scaling[free])
         values, vectors = np.linalg.eigh(correlated[chosen] * scaling)
@@ -979,30 +1175,19 @@ class _Solver:
         positive[chosen] = (vectors * np.maximum(values, 0.0)) @ vectors.T / scaling
         return positive
 
-    def row_excess(self, scale: float) -> FloatArray:
+    def row_excess(self) -> FloatArray:
         """(12, 12) noise part of the normal equations; a smooth sum, taken over some of the points."""
-        some = slice(None, None, max(1, len(self.xyz) // APPROACH_SAMPLE))
-        feet, cov = np.ascontiguousarray(self.feet[some]), np.ascontiguousarray(self.cov[some])
         excess = np.zeros((12, 12))
         _row_excess(
-            feet,
-            self.legs[some],
-            self.parts[some],
-            self.weights[some],
-            self.sds[some],
-            self.rotation,
-            self.axes,
-            self.shape,
-            cov,
-            scale,
-            excess,
-        )
-        return np.asarray(excess * (self.weights.sum() / max(self.weights[some].sum(), 1.0)))
+            self.feet, self.legs, self.parts, self.weights, self.sds, self.rotation, self.axes, self.shape, self.cov,
+            max(1, len(self.xyz) // APPROACH_SAMPLE), excess,
+        )  # fmt: skip
+        return excess
 
     def consistency(self) -> float:
         return _SCALE_CONSISTENCY if self.options.robust else 1.0
 
-    def correlated_part(self, white: FloatArray, psi: float) -> FloatArray:
+    def correlated_part(self, white: FloatArray, whitened: FloatArray, psi: float) -> FloatArray:
         """(12, 12) what the correlation between residuals of neighbouring points adds to the expected outer product of the scores.
 
         A covariance function s exp(-(h / l)^p), p = 1 or 2, is fitted to the products of residuals by distance; the form that stands
@@ -1014,16 +1199,13 @@ class _Solver:
             return nothing
         chosen = used[:: math.ceil(len(used) / CORRELATION_SAMPLE)]
         thinning = len(used) / len(chosen)
-        chosen = chosen[np.argsort(self.feet[chosen, 0])]
         u = self.standardised()[chosen]
         u = u * self.weights[chosen] / math.sqrt(float(np.mean((u * self.weights[chosen]) ** 2)))
         # distances between adjusted observations: those between noisy points depend on the residuals
         points, rows = np.ascontiguousarray(self.feet[chosen]), np.ascontiguousarray(self.rows[chosen])
-        values, vectors = np.linalg.eigh(white[:8, :8])
-        whitened = np.ascontiguousarray(rows[:, :8] @ (vectors * np.sqrt(np.maximum(values, 0))))
         lags = _LAGS * self.unit.height
         sums, expected, counts = (np.zeros(len(lags) - 1) for _ in range(3))
-        _lag_products(points, u, whitened, lags, sums, expected, counts)
+        _lag_products(points, u, whitened[chosen], self.unit.height, sums, expected, counts)
         usable = counts > 0
         if not usable.any():
             return nothing
