@@ -18,6 +18,7 @@ Three things go beyond the textbook form, each to keep the estimate unbiased or 
 from __future__ import annotations
 
 import math
+from copy import copy
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -68,6 +69,9 @@ _CORRELATION_LENGTHS = np.tile(np.geomspace(0.01, 0.12, 10), 2)
 _CORRELATION_EXPONENTS = np.repeat([1.0, 2.0], 10)
 _USUAL_CORRELATION = 15
 """Forms of the covariance function that are tried, lengths as shares of the height; and the one taken where none stands out."""
+_LAG_MIDDLES = 0.5 * (_LAGS[1:] + _LAGS[:-1])
+_FORMS = np.exp(-((_LAG_MIDDLES / _CORRELATION_LENGTHS[:, None]) ** _CORRELATION_EXPONENTS[:, None]))
+"""Value of each form in each distance class."""
 
 
 @dataclass(frozen=True)
@@ -157,7 +161,7 @@ class Adjustment:
     n_effective
         Number of independent points with the same information, after the correlation between residuals.
     converged, iterations
-        Whether the last step was below 3 % of the parameters' standard deviations, and how many were made.
+        Whether the last step was below 5 % of the parameters' standard deviations, and how many were made.
     undetermined
         (k, 8) unit directions in parameter space (lengths in units of the leg length) that the points do not determine.
     legs_visible
@@ -235,6 +239,15 @@ def _inside_probability(t: float) -> float:
     if t < -IMPOSSIBLE:
         return 0.0
     return 0.5 * math.erfc(-t * 0.7071067811865476)
+
+
+@njit(**_INLINED)
+def _to_body(points, i, centre, rotation):  # type: ignore[no-untyped-def]
+    px, py, pz = points[i, 0] - centre[0], points[i, 1] - centre[1], points[i, 2] - centre[2]
+    x = rotation[0, 0] * px + rotation[1, 0] * py + rotation[2, 0] * pz
+    y = rotation[0, 1] * px + rotation[1, 1] * py + rotation[2, 1] * pz
+    z = rotation[0, 2] * px + rotation[1, 2] * py + rotation[2, 2] * pz
+    return x, y, z
 
 
 @njit(**_INLINED)
@@ -412,7 +425,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
     """
     n = points.shape[0]
     r, c = shape[0], shape[1]
-    has_cov = cov.shape[0] == n
+    has_cov = cov is not None
     has_given = given.shape[0] == n
     normal[:, :] = 0.0
     rhs[:] = 0.0
@@ -444,10 +457,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
         known = given[i] if has_given else -1
         if known < 0 and has_given:
             continue
-        px, py, pz = points[i, 0] - centre[0], points[i, 1] - centre[1], points[i, 2] - centre[2]
-        x = rotation[0, 0] * px + rotation[1, 0] * py + rotation[2, 0] * pz
-        y = rotation[0, 1] * px + rotation[1, 1] * py + rotation[2, 1] * pz
-        z = rotation[0, 2] * px + rotation[1, 2] * py + rotation[2, 2] * pz
+        x, y, z = _to_body(points, i, centre, rotation)
         if has_cov:
             for a in range(3):
                 for b in range(3):
@@ -511,16 +521,19 @@ def linearise_points(  # type: ignore[no-untyped-def]
             row[3], row[4], row[5] = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
             row[6] = -cosine * per_noise if k < 4 else 0.0
             row[7] = found[k, 5] * cosine * per_noise if k < 4 else 0.0
-            for m in range(4):
-                row[8 + m] = -per_noise if m + 4 == k else 0.0
+            if k >= 4:
+                row[k + 4] = -per_noise
+                rhs[k + 4] += w * u * per_noise
             if k == best:
                 weights[i] = w
                 if final:
-                    for m in range(12):
+                    for m in range(8):
                         rows[i, m] = row[m]
+                    if k >= 4:
+                        rows[i, k + 4] = row[k + 4]
             squares += share * narrow * u * u
             total_weight += share * narrow
-            for a in range(12):
+            for a in range(8):
                 rhs[a] -= w * u * row[a]
             _add_outer(normal, row, w, k)
             if not final:
@@ -533,8 +546,10 @@ def linearise_points(  # type: ignore[no-untyped-def]
                 slopes += slope
                 _add_outer(plain, row, 1.0, k)
             else:
-                for a in range(12):
+                for a in range(8):
                     mean_score[a] += w * u * row[a]
+                if k >= 4:
+                    mean_score[k + 4] += w * u * row[k + 4]
                 _add_outer(shared, row, share * slope - w * robust * u * u, k)
         if final and not single:
             for a in range(12):
@@ -676,16 +691,38 @@ def _step(normal, rhs, free, scaling, prior_weights, nominal, leg_length, centre
 
 
 @njit(**_COMPILED)
-def _inverse_root(matrix, free, scaling):  # type: ignore[no-untyped-def]
-    """(12, m) root whose square is the inverse of a (12, 12) matrix in the free unknowns, over the m directions that are determined; and
-    the (k, 12) unit directions, scaled, that are not."""
-    chosen = np.flatnonzero(free)
+def _scaled(matrix, chosen, scaling):  # type: ignore[no-untyped-def]
+    """Rows and columns of a (12, 12) matrix by number, each times its unknown's scaling."""
     n = len(chosen)
     scaled = np.zeros((n, n))
     for a in range(n):
         for b in range(n):
             scaled[a, b] = matrix[chosen[a], chosen[b]] * scaling[chosen[a]] * scaling[chosen[b]]
-    values, vectors = np.linalg.eigh(scaled)
+    return scaled
+
+
+@njit(**_COMPILED)
+def _guarded(correlated, noise_part, free, scaling):  # type: ignore[no-untyped-def]
+    """The correlated part without negative directions, if sampling the pairs of a large cloud has made any that matter."""
+    chosen = np.flatnonzero(free)
+    values, vectors = np.linalg.eigh(_scaled(correlated, chosen, scaling))
+    if values[0] >= 0.0 or values[0] >= -0.5 * np.linalg.eigvalsh(_scaled(noise_part, chosen, scaling))[0]:
+        return correlated
+    positive = (vectors * np.maximum(values, 0.0)) @ vectors.T
+    result = np.zeros((12, 12))
+    for a in range(len(chosen)):
+        for b in range(len(chosen)):
+            result[chosen[a], chosen[b]] = positive[a, b] / (scaling[chosen[a]] * scaling[chosen[b]])
+    return result
+
+
+@njit(**_COMPILED)
+def _inverse_root(matrix, free, scaling):  # type: ignore[no-untyped-def]
+    """(12, m) root whose square is the inverse of a (12, 12) matrix in the free unknowns, over the m directions that are determined; and
+    the (k, 12) unit directions, scaled, that are not."""
+    chosen = np.flatnonzero(free)
+    n = len(chosen)
+    values, vectors = np.linalg.eigh(_scaled(matrix, chosen, scaling))
     # in ascending order
     k = np.searchsorted(values, 1.0 / DETERMINED**2, side="right")
     root, undetermined = np.zeros((12, n - k)), np.zeros((k, 12))
@@ -698,16 +735,38 @@ def _inverse_root(matrix, free, scaling):  # type: ignore[no-untyped-def]
 
 
 @njit(**_COMPILED)
-def _clear_counts(points, centre, rotation, axes, opened, sds, weights, legs, scale):  # type: ignore[no-untyped-def]
-    """(4,) number of points that belong to each leg beyond doubt: well used and far from the creases with other opened legs."""
+def _redundancy(whitened, weights, legs, parts, sds, scale, numbers, detectable):  # type: ignore[no-untyped-def]
+    """Redundancy number and minimal detectable bias of every used point; returns the sum of their influences, the number of used lateral
+    points by leg and the sum of squared standard deviations."""
+    owned = np.zeros(4, dtype=np.int64)
+    influences = squares = 0.0
+    for i in range(weights.shape[0]):
+        if weights[i] <= 0.0:
+            continue
+        influence = 0.0
+        for m in range(whitened.shape[1]):
+            influence += whitened[i, m] * whitened[i, m]
+        influence *= weights[i]
+        influences += influence
+        squares += sds[i] * sds[i]
+        owned[legs[i]] += parts[i] == LATERAL
+        numbers[i] = min(max(1.0 - influence, 0.0), 1.0)
+        detectable[i] = NONCENTRALITY * scale * sds[i] / math.sqrt(numbers[i])
+    return influences, owned, squares
+
+
+@njit(**_COMPILED)
+def _clear_counts(points, centre, rotation, axes, opened, sds, weights, legs, scale, enough):  # type: ignore[no-untyped-def]
+    """(4,) number of points that belong to each leg beyond doubt: well used and far from the creases with other opened legs. Ends where
+    all opened legs have ``enough``."""
     counts = np.zeros(4)
+    lacking = np.sum(opened)
     for i in range(points.shape[0]):
+        if lacking == 0:
+            break
         if weights[i] <= 0.5:
             continue
-        px, py, pz = points[i, 0] - centre[0], points[i, 1] - centre[1], points[i, 2] - centre[2]
-        x = rotation[0, 0] * px + rotation[1, 0] * py + rotation[2, 0] * pz
-        y = rotation[0, 1] * px + rotation[1, 1] * py + rotation[2, 1] * pz
-        z = rotation[0, 2] * px + rotation[1, 2] * py + rotation[2, 2] * pz
+        x, y, z = _to_body(points, i, centre, rotation)
         highest = second = -1e300
         for k in range(4):
             if opened[k]:
@@ -718,18 +777,22 @@ def _clear_counts(points, centre, rotation, axes, opened, sds, weights, legs, sc
                     second = lean
         if highest - second > 4.0 * scale * sds[i]:
             counts[legs[i]] += 1.0
+            lacking -= enough <= counts[legs[i]] < enough + 1.0
     return counts
 
 
 @njit(**_COMPILED)
-def _in_cells(points, size):  # type: ignore[no-untyped-def]
-    """Order of body-frame points by cubic cell of the given size, and where each cell starts; whatever is far out shares the outer cells."""
-    n = points.shape[0]
+def _in_cells(points, chosen, size):  # type: ignore[no-untyped-def]
+    """The chosen numbers of body-frame points in the order of cubic cells of the given size, and where each cell starts.
+
+    Whatever is far out shares the outer cells.
+    """
+    n = len(chosen)
     cell = np.zeros(n, dtype=np.int64)
     starts = np.zeros(_CELLS**3 + 1, dtype=np.int64)
     for i in range(n):
         for d in range(3):
-            place = int(min(max(points[i, d] / size + _CELLS // 2, 0.0), _CELLS - 1.0))
+            place = int(min(max(points[chosen[i], d] / size + _CELLS // 2, 0.0), _CELLS - 1.0))
             cell[i] = cell[i] * _CELLS + place
         starts[cell[i] + 1] += 1
     for k in range(_CELLS**3):
@@ -737,7 +800,7 @@ def _in_cells(points, size):  # type: ignore[no-untyped-def]
     order = np.zeros(n, dtype=np.int64)
     place = starts.copy()
     for i in range(n):
-        order[place[cell[i]]] = i
+        order[place[cell[i]]] = chosen[i]
         place[cell[i]] += 1
     return order, starts
 
@@ -783,10 +846,10 @@ def _near(points, i, low, high, reach, near, squares):  # type: ignore[no-untype
 
 
 @njit(**_COMPILED)
-def _lag_products(points, values, whitened, height, sums, expected, counts):  # type: ignore[no-untyped-def]
+def _lag_products(points, values, whitened, chosen, height, sums, expected, counts):  # type: ignore[no-untyped-def]
     """Products of residuals over all pairs of points by class of distance, and what the fit makes of white noise there."""
     reach = _LAGS[-1] * height
-    order, starts = _in_cells(points, reach)
+    order, starts = _in_cells(points, chosen, reach)
     points, values, whitened = points[order], values[order], whitened[order]
     near, squares = np.zeros(len(points) + 1, dtype=np.int64), np.zeros(len(points) + 1)
     per_square = 1.0 / (_LAG_STEP * height) ** 2
@@ -797,19 +860,19 @@ def _lag_products(points, values, whitened, height, sums, expected, counts):  # 
                 k = _LAG_CLASSES[int(squares[h] * per_square)]
                 counts[k] += 1.0
                 sums[k] += values[i] * values[near[h]]
-            # smooth in the distance: a quarter of the pairs is enough
-            for h in range(i % 4, count, 4):
+            # smooth in the distance: an eighth of the pairs is enough
+            for h in range(i % 8, count, 8):
                 k = _LAG_CLASSES[int(squares[h] * per_square)]
                 hat = 0.0
                 for m in range(whitened.shape[1]):
                     hat += whitened[i, m] * whitened[near[h], m]
-                expected[k] -= 4.0 * hat
+                expected[k] -= 8.0 * hat
 
 
 @njit(**_COMPILED)
-def _pair_products(points, rows, length, exponent, reach, out):  # type: ignore[no-untyped-def]
+def _pair_products(points, rows, chosen, length, exponent, reach, out):  # type: ignore[no-untyped-def]
     """Sum over pairs i != j of exp(-(distance / length)^exponent) times the outer product of their rows, into ``out``."""
-    order, starts = _in_cells(points, reach)
+    order, starts = _in_cells(points, chosen, reach)
     points, rows = points[order], rows[order]
     near, squares = np.zeros(len(points) + 1, dtype=np.int64), np.zeros(len(points) + 1)
     mixed = np.zeros(rows.shape)
@@ -876,7 +939,7 @@ def adjust(
     if n <= 2 * APPROACH_SAMPLE:
         return solver.solve(solver.approach())
     some = slice(None, None, n // APPROACH_SAMPLE)
-    rough = _Solver(np.ascontiguousarray(xyz[some]), unit, pose, options, cov[some], np.ascontiguousarray(given[some]))
+    rough = solver.sampled(some)
     scale = rough.approach()
     solver.restore(rough.state())
     return solver.solve(scale)
@@ -909,8 +972,8 @@ class _Solver:
     """State of one adjustment; a class because its steps share a dozen work arrays."""
 
     def __init__(self, xyz: FloatArray, unit: UnitType, pose: Pose, options: AdjustmentOptions, cov: FloatArray, given: IntArray) -> None:
-        n = len(xyz)
-        self.xyz, self.unit, self.options, self.cov, self.given = xyz, unit, options, cov, given
+        self.unit, self.options = unit, options
+        self.take(xyz, cov, given)
         self.centre, self.rotation = np.array(pose.centre), np.array(pose.rotation, dtype=np.float64, order="C")
         self.nominal = np.array([unit.radius, unit.gradient])
         self.shape = self.nominal.copy()
@@ -920,9 +983,6 @@ class _Solver:
         self.creases = between / np.maximum(np.linalg.norm(between, axis=2, keepdims=True), 1e-300)
         self.normal, self.plain, self.shared, self.shared_scores = (np.zeros((12, 12)) for _ in range(4))
         self.rhs, self.change = np.zeros(12), np.zeros(12)
-        self.legs, self.parts = np.zeros(n, dtype=np.int64), np.zeros(n, dtype=np.int64)
-        self.residuals, self.sds, self.biases, self.weights = np.zeros(n), np.ones(n), np.zeros(n), np.zeros(n)
-        self.rows, self.feet = np.zeros((n, 12)), np.zeros((n, 3))
         self.opened = np.ones(4, dtype=np.bool_)
         self.discs = np.full(4, options.end_discs is True)
         self.edge = EDGE_RATIO * unit.height if options.edge is None else options.edge
@@ -933,6 +993,20 @@ class _Solver:
         with np.errstate(divide="ignore"):
             self.prior_weights = np.where((self.prior_sd > 0) & np.isfinite(self.prior_sd), 1 / self.prior_sd**2, 0.0)
         self.floor = 1e-7 * unit.height if not len(cov) else 1e-7
+
+    def take(self, xyz: FloatArray, cov: FloatArray, given: IntArray) -> None:
+        n = len(xyz)
+        self.xyz, self.cov, self.given = xyz, cov, given
+        self.legs, self.parts = np.zeros(n, dtype=np.int64), np.zeros(n, dtype=np.int64)
+        self.residuals, self.sds, self.biases, self.weights = np.zeros(n), np.ones(n), np.zeros(n), np.zeros(n)
+        self.rows, self.feet = np.zeros((n, 12)), np.zeros((n, 3))
+
+    def sampled(self, some: slice) -> _Solver:
+        """A solver of some of the points that leaves this one's pose alone; the other work arrays are shared."""
+        sample = copy(self)
+        sample.take(np.ascontiguousarray(self.xyz[some]), self.cov[some], np.ascontiguousarray(self.given[some]))
+        sample.restore(self.state())
+        return sample
 
     def solve(self, scale: float) -> Adjustment:
         options = self.options
@@ -954,7 +1028,7 @@ class _Solver:
             settled = abs(scale - previous) < 2e-3 * previous
             if options.robust and options.sigma is None:
                 scale += _SCALE_CONTRACTION / (1 - _SCALE_CONTRACTION) * (scale - previous)
-            if gain < 1e-3 and settled:
+            if gain < 2.5e-3 and settled:
                 if not discs_sought:
                     discs_sought = True
                     if self.find_discs(scale):
@@ -1040,8 +1114,8 @@ class _Solver:
         """Refresh the normal equations; returns the sums of squares and of weights that make the scale."""
         correct = (self.options.sigma or scale) if self.options.bias_correction else 0.0
         squares, weight_sum, self.psi_squares, self.slopes, self.singles = linearise_points(
-            self.xyz, self.centre, self.rotation, self.axes, self.creases, self.shape, self.unit.leg_length + self.leg_errors, self.cov,
-            self.given, self.opened, self.discs, scale, correct, self.tip, self.edge, redescend, final,
+            self.xyz, self.centre, self.rotation, self.axes, self.creases, self.shape, self.unit.leg_length + self.leg_errors,
+            self.cov if len(self.cov) else None, self.given, self.opened, self.discs, scale, correct, self.tip, self.edge, redescend, final,
             self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
             self.biases, self.weights, self.rows, self.feet,
         )  # fmt: skip
@@ -1112,9 +1186,11 @@ class _Solver:
         """Shut legs that own no points beyond doubt: what a crease shares with them says nothing about where they are."""
         if len(self.given):
             return False
-        counts = _clear_counts(self.xyz, self.centre, self.rotation, self.axes, self.opened, self.sds, self.weights, self.legs, scale)
-        used = float(np.count_nonzero(self.weights))
-        keep = self.opened & (counts >= max(MIN_POINTS, 0.01 * used))
+        enough = max(MIN_POINTS, 0.01 * np.count_nonzero(self.weights))
+        counts = _clear_counts(
+            self.xyz, self.centre, self.rotation, self.axes, self.opened, self.sds, self.weights, self.legs, scale, enough
+        )
+        keep = self.opened & (counts >= enough)
         if not keep.any() or (keep == self.opened).all():
             return False
         self.opened, self.discs = keep, self.discs & keep
@@ -1133,7 +1209,7 @@ class _Solver:
         psi = small_sample * self.psi_squares / max(self.singles, 1.0)
         noise_part = psi * self.plain + small_sample * self.shared_scores
         whitened = self.rows @ root
-        correlated = self.guarded(self.correlated_part(white, whitened, psi), noise_part, free)
+        correlated = _guarded(self.correlated_part(white, whitened, psi), noise_part, free, self.scaling)
         uncorrelated = white @ (noise_part + prior) @ white
         covariance = (uncorrelated + white @ correlated @ white)[:8, :8]
         before, after = np.maximum(np.diag(uncorrelated)[:8], 0), np.maximum(np.diag(covariance), 0)
@@ -1146,34 +1222,20 @@ class _Solver:
         axes = np.eye(8)
         axes[:3, :3] = axes[3:6, 3:6] = self.rotation
         covariance, undetermined = axes @ covariance @ axes.T, undetermined @ axes.T
-        influence = self.weights * np.einsum("ij,ij->i", whitened, whitened)
-        redundancy_numbers = np.where(used, np.clip(1 - influence, 0.0, 1.0), 0.0)
-        with np.errstate(divide="ignore"):
-            detectable = NONCENTRALITY * scale * self.sds / np.sqrt(redundancy_numbers)
+        redundancy_numbers, detectable = np.zeros(len(self.xyz)), np.full(len(self.xyz), math.inf)
+        influence, owned, squared_sds = _redundancy(
+            whitened, self.weights, self.legs, self.parts, self.sds, scale, redundancy_numbers, detectable
+        )
         noise = scale if self.options.sigma is None else scale * math.sqrt(squares / max(weight_sum, 1e-300) / self.consistency())
-        owned = np.bincount(self.legs[used & (self.parts == LATERAL)], minlength=4)
         visible = int(np.sum(owned >= max(MIN_POINTS, 0.01 * count)))
-        mean_sd = math.sqrt(float(np.mean(self.sds[used] ** 2))) if used.any() else math.nan
+        mean_sd = math.sqrt(squared_sds / count) if count else math.nan
         a_priori = self.options.sigma or (1.0 if len(self.cov) else noise)
         return Adjustment(
             Pose(self.centre, self.rotation), float(self.shape[0]), float(self.shape[1]), covariance, noise / a_priori, noise * mean_sd,
-            float(self.weights.sum() - influence.sum()), redundancy_numbers, detectable, self.weights.copy(), np.where(used, self.legs, -1),
+            float(self.weights.sum() - influence), redundancy_numbers, detectable, self.weights.copy(), np.where(used, self.legs, -1),
             self.parts.copy(), self.residuals.copy(), float(self.weights.sum() / inflation), converged, iterations, undetermined, visible,
             _flags(visible, len(undetermined), bool(used.any() and (self.parts[used] == END_DISC).all())),
         )  # fmt: skip
-
-    def guarded(self, correlated: FloatArray, noise_part: FloatArray, free: NDArray[np.bool_]) -> FloatArray:
-        """The correlated part without negative directions, if sampling the pairs of a large cloud has made any that matter."""
-        if not correlated.any():
-            return correlated
-        chosen = np.ix_(free, free)
-        scaling = np.outer(self.scaling[free], self.scaling[free])
-        values, vectors = np.linalg.eigh(correlated[chosen] * scaling)
-        if values[0] >= -0.5 * np.linalg.eigvalsh(noise_part[chosen] * scaling)[0]:
-            return correlated
-        positive = np.zeros((12, 12))
-        positive[chosen] = (vectors * np.maximum(values, 0.0)) @ vectors.T / scaling
-        return positive
 
     def row_excess(self) -> FloatArray:
         """(12, 12) noise part of the normal equations; a smooth sum, taken over some of the points."""
@@ -1199,25 +1261,19 @@ class _Solver:
             return nothing
         chosen = used[:: math.ceil(len(used) / CORRELATION_SAMPLE)]
         thinning = len(used) / len(chosen)
-        u = self.standardised()[chosen]
-        u = u * self.weights[chosen] / math.sqrt(float(np.mean((u * self.weights[chosen]) ** 2)))
+        u = self.standardised() * self.weights
+        u /= math.sqrt(float(np.mean(u[chosen] ** 2)))
+        sums, expected, counts = (np.zeros(len(_LAGS) - 1) for _ in range(3))
         # distances between adjusted observations: those between noisy points depend on the residuals
-        points, rows = np.ascontiguousarray(self.feet[chosen]), np.ascontiguousarray(self.rows[chosen])
-        lags = _LAGS * self.unit.height
-        sums, expected, counts = (np.zeros(len(lags) - 1) for _ in range(3))
-        _lag_products(points, u, whitened[chosen], self.unit.height, sums, expected, counts)
-        usable = counts > 0
-        if not usable.any():
+        _lag_products(self.feet, u, whitened, chosen, self.unit.height, sums, expected, counts)
+        if not counts.any():
             return nothing
-        middle = 0.5 * (lags[1:] + lags[:-1])[usable]
-        counts = counts[usable]
-        forms = np.exp(-((middle / _CORRELATION_LENGTHS[:, None] / self.unit.height) ** _CORRELATION_EXPONENTS[:, None]))
-        information = forms**2 @ counts
+        information = _FORMS**2 @ counts
         correlated, inflation = nothing, 1.0
-        skip = math.ceil(len(points) / 500)
+        few = chosen[:: math.ceil(len(chosen) / 500)]
         for _ in range(2):
             # the fit takes a little of every pair's product away, the more the fewer independent points there are
-            strengths = forms @ (sums - inflation * expected)[usable] / information
+            strengths = _FORMS @ (sums - inflation * expected) / information
             deviations = strengths * np.sqrt(information)
             best = int(np.argmax(deviations))
             if deviations[best] < 2.5:
@@ -1229,13 +1285,13 @@ class _Solver:
                 return nothing
             length, exponent = float(_CORRELATION_LENGTHS[best]) * self.unit.height, float(_CORRELATION_EXPONENTS[best])
             pairs = np.zeros((12, 12))
-            _pair_products(points[::skip], rows[::skip], length, exponent, length * (4.0 if exponent == 1 else 2.2), pairs)
-            correlated = strength * (thinning * len(points) / len(points[::skip])) ** 2 * pairs
+            _pair_products(self.feet, self.rows, few, length, exponent, length * (4.0 if exponent == 1 else 2.2), pairs)
+            correlated = strength * (len(used) / len(few)) ** 2 * pairs
             inflation = 1 + max(float(np.trace(white @ correlated)), 0.0) / max(float(np.trace(white @ self.plain)), 1.0)
             if inflation < 1.2:
                 break
             # the covariance function itself is known from so many independent patches only (mean of an inverted Wishart distribution)
-            neighbours = 2 * float(counts[middle < length].sum()) / len(points) * thinning
+            neighbours = 2 * float(counts[self.unit.height * _LAG_MIDDLES < length].sum()) / len(chosen) * thinning
             patches = max(len(used) / (1 + neighbours), 2.0 * (len(PARAMETERS) + 1))
             correlated *= patches / (patches - len(PARAMETERS) - 1)
         return np.asarray(psi * correlated)
