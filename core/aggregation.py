@@ -20,8 +20,7 @@ def assign(
     """Assign (n, 3) points to the unit whose surface is nearest, if nearer than ``tolerance`` metres.
 
     Where two surfaces come closer than the noise, the nearer one takes points of the other, always those displaced towards it,
-    which pushes both fits apart. With a ``clearance`` in metres no point is assigned whose foot on its unit's surface lies nearer
-    than that to another unit's surface: a choice by place, not by residual, and so without bias.
+    which pushes both fits apart. With a ``clearance`` in metres :func:`contested` points are not assigned.
 
     Returns
     -------
@@ -47,7 +46,12 @@ def assign(
 
 
 def contested(points: FloatArray, labels: IntArray, poses: FloatArray, unit: UnitType, clearance: float) -> NDArray[np.bool_]:
-    """(n,) whether the foot of an assigned point on its own unit's surface is within ``clearance`` metres of another unit's surface."""
+    """(n,) whether an assigned point lies where another unit could have it as well.
+
+    It does where its foot on its own unit's surface is within ``clearance`` metres of another unit's surface, a choice by place and
+    not by residual, and where its mirror image in its own unit's surface is nearer to another: points on the side towards a neighbour
+    are lost to it, and without those on the other side they leave no bias.
+    """
     reach = unit.reach + clearance
     near_another = np.zeros(len(points), dtype=np.bool_)
     near_units = cKDTree(poses[:, :3]).query_ball_point(poses[:, :3], 2 * reach)
@@ -57,11 +61,22 @@ def contested(points: FloatArray, labels: IntArray, poses: FloatArray, unit: Uni
         own = order[starts[k] : starts[k + 1]]
         rotation = poses[k, 3:].reshape(3, 3)
         relation = relate((points[own] - poses[k, :3]) @ rotation, unit)
-        foot = points[own] - relation.distance[:, None] * (relation.normal @ rotation.T)
+        normal = relation.normal @ rotation.T
+        foot = points[own] - relation.distance[:, None] * normal
+        size = np.abs(relation.distance)
         for j in near_units[k]:
             inside = np.flatnonzero(np.sum((foot - poses[j, :3]) ** 2, axis=1) < reach**2)
             if j == k or not len(inside):
                 continue
-            other = relate((foot[inside] - poses[j, :3]) @ poses[j, 3:].reshape(3, 3), unit)
-            near_another[own[inside[np.abs(other.distance) < clearance]]] = True
+            gap = _distance(foot[inside], poses[j], unit)
+            near_another[own[inside[gap < clearance]]] = True
+            # the image is no further from the foot than the point
+            inside = inside[(gap >= clearance) & (gap < 2 * size[inside])]
+            image = foot[inside] - relation.distance[inside, None] * normal[inside]
+            near_another[own[inside[_distance(image, poses[j], unit) < size[inside]]]] = True
     return near_another
+
+
+def _distance(points: FloatArray, pose: FloatArray, unit: UnitType) -> FloatArray:
+    """(n,) distance of (n, 3) points from the surface of a unit with a pose (12,), metres."""
+    return np.abs(relate((points - pose[:3]) @ pose[3:].reshape(3, 3), unit).distance)

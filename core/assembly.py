@@ -12,9 +12,11 @@ from numba import prange
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from .conic_ransac import Legs
+from .conic_ransac import LEAST_AGREEMENT, Legs
+from .gauss_helmert import EDGE_RATIO, TIP_RATIO
 from .kernels import kernel
 from .neighbourhood import Grid, gather
+from .surface_elements import BEND_RADIUS_RATIO, LEAST_RADIUS_RATIO
 from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
@@ -96,12 +98,13 @@ def refine(
 
 
 def evidence(
-    poses: FloatArray, points: FloatArray, normals: FloatArray, sign: NDArray[np.int8], active: NDArray[np.bool_], grid: Grid,
+    poses: FloatArray, points: FloatArray, normals: FloatArray, curved: NDArray[np.int8], active: NDArray[np.bool_], grid: Grid,
     unit: UnitType, tolerance: float,
 ) -> FloatArray:  # fmt: skip
     """What the points say about each pose: (k, 7) with columns SUPPORT, CLOSE, INSIDE, CELLS, LEGS, RMS, REACHED.
 
-    SUPPORT counts active points on the surface whose normal agrees, CLOSE all active points on the surface, INSIDE points
+    SUPPORT counts active points on the surface whose normal agrees, CLOSE all active points on the surface but those on rounded tips
+    and fillets whose normal does not agree, INSIDE points
     (active or not) deep within the solid but for the outer part of one leg, which may be broken off, CELLS the surface cells
     (of 132) holding support, LEGS legs with at least two such cells, RMS the misfit of the support in metres, REACHED the active
     points near the unit.
@@ -109,10 +112,10 @@ def evidence(
     shape: tuple[Any, ...] = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance)
     cells: tuple[Any, ...] = (grid.start, grid.order, grid.origin, grid.size, grid.cell)
     if len(poses) > 4:
-        return np.asarray(_evidence_of_many(poses, points, normals, sign, active, *cells, *shape))
+        return np.asarray(_evidence_of_many(poses, points, normals, curved, active, *cells, *shape))
     table = np.zeros((len(poses), 7))
     for pose, row in zip(poses, table, strict=True):
-        _evidence_of_one(row, pose, points, normals, sign, active, *cells, *shape)
+        _evidence_of_one(row, pose, points, normals, curved, active, *cells, *shape)
     return table
 
 
@@ -180,6 +183,17 @@ def _twist_support(local: Any, turned: Any, shift: float, radius: float, gradien
         total += 1.0 if (distance < 2.0 * tolerance) & (not beside) else 0.0
         total -= 2.0 if distance < -2.5 * tolerance else 0.0
     return total
+
+
+@kernel()
+def _crease_distance(x: float, y: float, z: float, leg: int, axial: float, legs: Any) -> float:
+    """Distance of a point of the body frame from the nearest plane in which its leg meets another."""
+    nearest = np.inf
+    for k in range(4):
+        if k != leg:
+            between = 2.0 - 2.0 * (legs[leg, 0] * legs[k, 0] + legs[leg, 1] * legs[k, 1] + legs[leg, 2] * legs[k, 2])
+            nearest = min(nearest, (axial - x * legs[k, 0] - y * legs[k, 1] - z * legs[k, 2]) / np.sqrt(between))
+    return nearest
 
 
 @kernel(parallel=True)
@@ -347,13 +361,13 @@ def _refine_one(
 
 @kernel(parallel=True)
 def _evidence_of_many(
-    poses: Any, points: Any, normals: Any, sign: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
+    poses: Any, points: Any, normals: Any, curved: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
     legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
 ) -> Any:  # fmt: skip
     out = np.zeros((len(poses), 7))
     for i in prange(len(poses)):
         _evidence_of_one(
-            out[i], poses[i], points, normals, sign, active, start, order, origin, size, cell,
+            out[i], poses[i], points, normals, curved, active, start, order, origin, size, cell,
             legs, radius, gradient, length, height, tolerance,
         )  # fmt: skip
     return out
@@ -361,7 +375,7 @@ def _evidence_of_many(
 
 @kernel()
 def _evidence_of_one(
-    out: Any, pose: Any, points: Any, normals: Any, sign: Any, active: Any, start: Any, order: Any, origin: Any, size: Any,
+    out: Any, pose: Any, points: Any, normals: Any, curved: Any, active: Any, start: Any, order: Any, origin: Any, size: Any,
     cell: float, legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
 ) -> None:  # fmt: skip
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
@@ -383,6 +397,11 @@ def _evidence_of_one(
         return
     cells = np.zeros(132, dtype=np.int64)
     outer = 0.6 * length
+    # the nearest neighbours of an element this close to a crease lie on two legs
+    blurred = LEAST_RADIUS_RATIO * height
+    # where two legs meet they are concave: so far from there the sense of curvature tells nothing
+    half = np.sqrt(0.5 + 0.5 * (legs[0, 0] * legs[1, 0] + legs[0, 1] * legs[1, 1] + legs[0, 2] * legs[1, 2]))
+    concave = radius * half / (np.sqrt(1.0 - half * half) + gradient * half) + (BEND_RADIUS_RATIO + EDGE_RATIO) * height
     outer_inside = np.zeros(4)
     squares = 0.0
     for gi in range(lo[0], hi[0] + 1):
@@ -418,9 +437,13 @@ def _evidence_of_one(
                 agree = nx * (pose[3] * normals[q, 0] + pose[6] * normals[q, 1] + pose[9] * normals[q, 2])
                 agree += ny * (pose[4] * normals[q, 0] + pose[7] * normals[q, 1] + pose[10] * normals[q, 2])
                 agree += nz * (pose[5] * normals[q, 0] + pose[8] * normals[q, 1] + pose[11] * normals[q, 2])
-                # near the joints the creases are concave, and the sense of curvature tells nothing
-                unsigned = sign[q] == 0 or axial < 0.45 * length
-                if not (agree > 0.85 or (unsigned and agree < -0.85)):
+                unsigned = curved[q] <= 0 or axial < concave
+                flat = curved[q] < 0 and part == 0 and axial > concave
+                if flat or not (agree > LEAST_AGREEMENT or (unsigned and agree < -LEAST_AGREEMENT)):
+                    # rounded tips and the fillets of creases are no cone: what disagrees there says nothing
+                    if axial > TIP_RATIO * length or _crease_distance(x, y, z, leg, axial, legs) < blurred:
+                        out[1] -= 1
+                        out[6] -= 1
                     continue
                 out[0] += 1
                 squares += dist * dist

@@ -72,9 +72,9 @@ def find_legs(elements: SurfaceElements, active: NDArray[np.bool_], grid: Grid, 
     seed
         Of the random draws; every seed place has a stream of its own, so that the result does not depend on threads.
     """
-    seeds = spread(elements.points, np.flatnonzero(active), SEED_SPACING_RATIO * unit.height)
+    seeds = spread(elements.points, np.flatnonzero(active & (elements.curved >= 0)), SEED_SPACING_RATIO * unit.height)
     found = _search(
-        elements.points, elements.normals, elements.oriented, active, seeds, grid.start, grid.order, grid.origin, grid.size, grid.cell,
+        elements.points, elements.normals, elements.curved, active, seeds, grid.start, grid.order, grid.origin, grid.size, grid.cell,
         NEIGHBOURHOOD_RATIO * unit.height, unit.radius, unit.gradient, unit.leg_length, tolerance, seed,
     )  # fmt: skip
     good = found[:, 7] > 0
@@ -308,7 +308,7 @@ def _fit_cone(near: Any, gradient: float, tolerance: float, cone: Any) -> Any:
 
 @kernel(parallel=True)
 def _search(
-    points: Any, normals: Any, oriented: Any, active: Any, seeds: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
+    points: Any, normals: Any, curved: Any, active: Any, seeds: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
     reach: float, radius: float, gradient: float, length: float, tolerance: float, seed: int,
 ) -> Any:  # fmt: skip
     """Leg about each seed, (k, 8): axis (3), centre (3), its standard deviation along the axis, support; all 0 where there is none."""
@@ -326,7 +326,7 @@ def _search(
             for a in range(3):
                 near[a, i] = points[found[i], a] - middle[a]
                 near[3 + a, i] = normals[found[i], a]
-            near[6, i] = 0.0 if oriented[found[i]] else 1.0
+            near[6, i] = 0.0 if curved[found[i]] > 0 else 1.0
         cone = np.zeros(7)
         state = np.uint64(seed * 1000003 + seeds[s] * 7919 + 12345)
         if _best_cone(near, rho_low, rho_high, gradient, tolerance, state, cone) < FEWEST_ON_LEG:

@@ -95,7 +95,7 @@ class AdjustmentOptions:
         Share of the leg length up to which the cone holds on legs whose end disc is not used; 1 for no limit.
     edge
         Width in metres left out along the creases between the legs (fillet) and along the rims of used end discs (chamfer);
-        None for 3 % of the height.
+        None for 3 % of the height, less where the noise hides what is rounded there, and the same for ``tip``.
     bias_correction
         Remove the second-order bias of distances to a curved surface; without it the radius is too large by sigma^2 / 2r.
     max_iterations
@@ -987,6 +987,7 @@ class _Solver:
         self.discs = np.full(4, options.end_discs is True)
         self.edge = EDGE_RATIO * unit.height if options.edge is None else options.edge
         self.tip = options.tip * unit.leg_length if options.tip < 1 else math.inf
+        self.mean_sd = math.sqrt(float(np.mean(np.trace(cov, axis1=1, axis2=2))) / 3) if len(cov) else 1.0
         self.scaling = np.array([unit.leg_length] * 3 + [1.0] * 3 + [unit.leg_length, 1.0] + [unit.leg_length] * 4)
         length_sd = 0.003 * unit.leg_length if options.leg_length_sd is None else options.leg_length_sd
         self.prior_sd = np.array([math.inf] * 6 + [options.radius_sd, options.gradient_sd] + [length_sd] * 4)
@@ -1071,9 +1072,7 @@ class _Solver:
         Bad points in one place (a neighbour, growth) pull a fit until they look like noise; the narrow window lets go of them. This
         is kept if more of all points then lie closer.
         """
-        first = 0.02 * self.unit.height
-        if len(self.cov):
-            first /= math.sqrt(float(np.mean(np.trace(self.cov, axis1=1, axis2=2))) / 3)
+        first = 0.02 * self.unit.height / self.mean_sd
         self.linearise(first, redescend=False)
         for _ in range(30):
             scale = window * self.quantile_scale(0.35)
@@ -1113,13 +1112,25 @@ class _Solver:
     def linearise(self, scale: float, *, redescend: bool, final: bool = False) -> tuple[float, float]:
         """Refresh the normal equations; returns the sums of squares and of weights that make the scale."""
         correct = (self.options.sigma or scale) if self.options.bias_correction else 0.0
+        edge, tip = self.trimming(scale)
         squares, weight_sum, self.psi_squares, self.slopes, self.singles = linearise_points(
             self.xyz, self.centre, self.rotation, self.axes, self.creases, self.shape, self.unit.leg_length + self.leg_errors,
-            self.cov if len(self.cov) else None, self.given, self.opened, self.discs, scale, correct, self.tip, self.edge, redescend, final,
+            self.cov if len(self.cov) else None, self.given, self.opened, self.discs, scale, correct, tip, edge, redescend, final,
             self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
             self.biases, self.weights, self.rows, self.feet,
         )  # fmt: skip
         return squares, weight_sum
+
+    def trimming(self, scale: float) -> tuple[float, float]:
+        """Width left out along creases and rims, and axial coordinate up to which a leg's cone is used, metres.
+
+        Fillets, chamfers and rounded tips depart from the cones by a fraction of their width. Noise of that width hides them, and
+        leaving points out then costs more than it saves: the trimming fades from a third of the width on.
+        """
+        if self.options.edge is not None or not math.isfinite(self.tip):
+            return self.edge, self.tip
+        fade = min(max(1.5 * (1.0 - scale * self.mean_sd / self.edge), 0.0), 1.0)
+        return self.edge * fade, min(self.unit.leg_length, self.tip / max(fade, 1e-9))
 
     def free(self) -> NDArray[np.bool_]:
         return np.concatenate([self.prior_sd[:8] > 0, self.discs])

@@ -185,7 +185,6 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
 
 def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolerance: float, grid: Grid) -> JudgedPoses:
     """Refine the accepted poses on their exclusive points and judge them once more."""
-    sign = elements.oriented.astype(np.int8)
     table = np.zeros((len(poses), 7))
     for _ in range(2):
         owner, _ = assign(elements.points, poses, unit, 2.5 * tolerance)
@@ -195,7 +194,7 @@ def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolera
             poses[k] = refine(
                 poses[k : k + 1], elements.points, elements.normals, own & ~doubtful, grid, unit, tolerance, most=1500, sweeps=20
             )[0]
-            table[k] = evidence(poses[k : k + 1], elements.points, elements.normals, sign, own, grid, unit, tolerance)[0]
+            table[k] = evidence(poses[k : k + 1], elements.points, elements.normals, elements.curved, own, grid, unit, tolerance)[0]
     certainty = np.ones(len(poses))
     for k in map(int, np.flatnonzero(table[:, LEGS] <= 2)):
         own = (owner == k) | (owner < 0)
@@ -260,8 +259,7 @@ def _best_rival(
     rivals = rivals[different]
     # most twists end in the same few poses
     rivals = rivals[without_copies(rivals, unit.symmetries, 0.02 * unit.height, np.cos(np.radians(2)))]
-    sign = elements.oriented.astype(np.int8)
-    table = evidence(rivals, elements.points, elements.normals, sign, own, grid, unit, tolerance)
+    table = evidence(rivals, elements.points, elements.normals, elements.curved, own, grid, unit, tolerance)
     value = np.array([worth(row) for row in table])
     neighbours = others[np.sum((others[:, :3] - pose[:3]) ** 2, axis=1) < (1.5 * unit.height) ** 2]
     for k in np.argsort(-value, kind="stable"):

@@ -26,6 +26,8 @@ FEWEST_NEIGHBOURS = 7
 """A normal of fewer points says nothing."""
 MOST_NEIGHBOURS = 200
 """More than a surface thinned to ``THINNING_RATIO`` holds within ``BEND_RADIUS_RATIO``, even where two surfaces meet."""
+LEAST_RADIUS_RATIO = 0.055
+"""Radius, as a share of the height, within which a normal is taken where the noise is small."""
 BEND_RADIUS_RATIO = 0.14
 """Radius, as a share of the height, within which the sense of curvature is read."""
 
@@ -39,9 +41,10 @@ class SurfaceElements:
     points
         (m, 3) metres, reduced frame.
     normals
-        (m, 3) unit normals; outward where ``oriented``.
-    oriented
-        (m,) bool, sign of the normal known from convexity.
+        (m, 3) unit normals; outward where ``curved`` is 1.
+    curved
+        (m,) int8: 1 where the surface bends as a leg does, which gives the sign of the normal; -1 where it is too flat for a leg; 0 where
+        too few or too noisy neighbours leave it open.
     source
         (n,) for each raw point the element it was thinned into.
     spacing
@@ -54,7 +57,7 @@ class SurfaceElements:
 
     points: FloatArray
     normals: FloatArray
-    oriented: NDArray[np.bool_]
+    curved: NDArray[np.int8]
     source: IntArray
     spacing: float
     noise: float
@@ -79,7 +82,7 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     seventh = tree.query(some, k=min(FEWEST_NEIGHBOURS, len(thinned)), workers=workers)[0].reshape(len(some), -1)[:, -1]
     area = max(float(np.median(seventh)) ** 2 * np.pi / 6, (0.5 * THINNING_RATIO * height) ** 2)
     wanted = np.sqrt(2 * element_noise * np.sqrt(area / np.pi) / 0.05)
-    radius = float(np.clip(wanted, 0.055 * height, 0.14 * height))
+    radius = float(np.clip(wanted, LEAST_RADIUS_RATIO * height, BEND_RADIUS_RATIO * height))
     bend_radius = BEND_RADIUS_RATIO * height
     grid = build_grid(thinned, 0.5 * bend_radius)
     normals, bend, bend_sd = _normals(
@@ -88,10 +91,12 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     # on a leg the surface falls away by d^2 / (4 rho) on average over directions, rho about 0.2 H: a third of that, if it also
     # stands out of its own standard error, is taken as a sign
     expected = 1 / (4 * 0.2 * height)
-    oriented = (np.abs(bend) > expected / 3) & (np.abs(bend) > 2 * bend_sd)
+    curved = np.zeros(len(thinned), dtype=np.int8)
+    curved[(np.abs(bend) > expected / 3) & (np.abs(bend) > 2 * bend_sd)] = 1
+    curved[np.abs(bend) + 2 * bend_sd < expected / 3] = -1
     normals = np.where(bend[:, None] > 0, -normals, normals)
     noise = _noise_of(points, raw, height, workers)
-    return SurfaceElements(thinned, normals, oriented, source, spacing, noise, element_noise)
+    return SurfaceElements(thinned, normals, curved, source, spacing, noise, element_noise)
 
 
 def thin(points: FloatArray, voxel: float) -> tuple[FloatArray, IntArray]:

@@ -51,10 +51,9 @@ def select(
     The worth of a candidate is the number of elements that support it less three for each that lies inside the solid. It only
     falls as points are claimed, so a queue of old values, re-judged when they come to the top, gives the exact greedy order.
     """
-    sign = elements.oriented.astype(np.int8)
 
     def judge(poses: FloatArray) -> FloatArray:
-        return evidence(poses, elements.points, elements.normals, sign, active, grid, unit, tolerance)
+        return evidence(poses, elements.points, elements.normals, elements.curved, active, grid, unit, tolerance)
 
     table = judge(candidates)
     value = np.array([worth(row) for row in table])

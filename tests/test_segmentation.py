@@ -74,7 +74,7 @@ def test_normals_and_noise_of_a_unit():
     plain = (relation.part == 0) & (relation.axial > 0.35 * UNIT.height) & (relation.axial < 0.55 * UNIT.height)
     cosine = np.einsum("ij,ij->i", relation.normal @ pose.rotation.T, elements.normals)[plain]
     assert np.degrees(np.median(np.arccos(np.clip(np.abs(cosine), 0, 1)))) < 4
-    assert (cosine[elements.oriented[plain]] > 0).mean() > 0.95
+    assert (cosine[elements.curved[plain] > 0] > 0).mean() > 0.95
     assert elements.noise == pytest.approx(0.01, rel=0.25)
     assert np.isclose(elements.spacing, 0.015, rtol=0.5)
 
@@ -97,15 +97,14 @@ def test_evidence_speaks_for_the_true_pose_and_against_a_shifted_one():
     elements = surface_elements(seen_from_above(pose, 20000, 0.005, 8), UNIT.height)
     grid = build_grid(elements.points, 0.3)
     active = np.ones(len(elements.points), dtype=bool)
-    sign = elements.oriented.astype(np.int8)
     shifted = pose.shifted([0, 0, 0.3])
-    table = evidence(np.array([row(pose), row(shifted)]), elements.points, elements.normals, sign, active, grid, UNIT, 0.02)
+    table = evidence(np.array([row(pose), row(shifted)]), elements.points, elements.normals, elements.curved, active, grid, UNIT, 0.02)
     assert table[0, INSIDE] == 0
     assert table[0, CELLS] > 30
     assert table[0, SUPPORT] > 0.8 * len(elements.points)
     assert table[1, INSIDE] > 50
     # one pose at a time takes another path through the code
-    single = evidence(row(shifted)[None], elements.points, elements.normals, sign, active, grid, UNIT, 0.02)
+    single = evidence(row(shifted)[None], elements.points, elements.normals, elements.curved, active, grid, UNIT, 0.02)
     np.testing.assert_array_equal(single[0], table[1])
 
 
