@@ -808,10 +808,10 @@ def _in_cells(points, chosen, size):  # type: ignore[no-untyped-def]
     for k in range(_CELLS**3):
         starts[k + 1] += starts[k]
     order = np.empty(n, dtype=np.int64)
-    place = starts.copy()
+    filled = starts.copy()
     for i in range(n):
-        order[place[cell[i]]] = chosen[i]
-        place[cell[i]] += 1
+        order[filled[cell[i]]] = chosen[i]
+        filled[cell[i]] += 1
     return order, starts
 
 
