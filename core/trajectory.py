@@ -7,6 +7,7 @@ range, noise across it from the angles; on a surface met at a slant they differ 
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -215,11 +216,13 @@ def _stations(path: Path, checksums: tuple[str, ...]) -> dict[int, FloatArray]:
 def _plain_numbers(path: Path) -> FloatArray | None:
     """(m, 4) columns of a trajectory whose file is nothing but numbers under a header; None for any other file."""
     try:
-        with path.open(encoding="utf-8-sig") as stream:
+        with path.open(encoding="utf-8-sig") as stream, warnings.catch_warnings():
+            # numpy only warns of a file without rows
+            warnings.simplefilter("error")
             names = [name.strip().lower() for name in stream.readline().split(",")]
             columns = [names.index(name) for name in TRAJECTORY_COLUMNS]
             return np.loadtxt(stream, delimiter=",", usecols=columns, ndmin=2, comments=None)
-    except (OSError, ValueError):
+    except (OSError, ValueError, UserWarning):
         return None
 
 
