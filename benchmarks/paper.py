@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 from scipy.stats import chi2
-from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, adjust
+from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, adjust, beam_covariances
 from tetratrack.core.literal_model import fit_literal, literal_axes
 from tetratrack.core.pose import Pose
 from tetratrack.core.simulation import interlocked_poses, interlocked_rows, single_unit
@@ -59,9 +59,16 @@ def design(body: FloatArray, leg: FloatArray, unit: UnitType, pose: Pose) -> Flo
     )
 
 
-def bound(body: FloatArray, leg: FloatArray, unit: UnitType, pose: Pose, sigma: float, free: int = 8) -> FloatArray:
-    """(free, free) Cramer-Rao bound (its Kanatani form for geometric fitting) of the first parameters."""
+def bound(body: FloatArray, leg: FloatArray, unit: UnitType, pose: Pose, sigma: float | FloatArray, free: int = 8) -> FloatArray:
+    """(free, free) Cramer-Rao bound (its Kanatani form for geometric fitting) of the first parameters.
+
+    ``sigma`` is the noise of every point, or (n, 3, 3) covariances of the points in the frame of the pose.
+    """
     rows = design(body, leg, unit, pose)[:, :free]
+    if isinstance(sigma, np.ndarray):
+        # the first three derivatives are the outward normal, turned round
+        rows = rows / np.sqrt(np.einsum("ij,ijk,ik->i", rows[:, :3], sigma, rows[:, :3]))[:, None]
+        return np.linalg.inv(rows.T @ rows)
     return np.linalg.inv(rows.T @ rows) * sigma**2
 
 
@@ -324,6 +331,10 @@ def future_work(fits: int) -> dict[str, Any]:
         result[f"30 % bad points: {kind}"] = study(fits, 1400, 0.02, gross(0.3, kind), options=ideal)
     result["density"] = {str(n): study(fits, n, 0.02, nothing, options=ideal) for n in (100, 200, 500, 1000, 2000, 5000)}
     held = AdjustmentOptions.ideal(radius_sd=0.0, gradient_sd=0.0)
+    result["2 cm along the beam, 3 mm across, weighted"] = {
+        "by beam": _beams(fits, weighted=True),
+        "equally": _beams(fits, weighted=False),
+    }
     result["visible"] = {f"{share:.2f}": _visible(fits, share, held) for share in (0.05, 0.1, 0.2, 0.3, 0.5)}
 
     def strips(offset: float) -> Disturbance:
@@ -375,6 +386,27 @@ def _visible(fits: int, share: float, options: AdjustmentOptions) -> dict[str, A
             continue
         tally.add(errors_of(fit, pose, FIELD_UNIT), bound(body[seen], leg[seen], FIELD_UNIT, pose, 0.02, 6), fit.covariance)
     return tally.summary() | {"stated as undetermined": lost}
+
+
+def _beams(fits: int, *, weighted: bool) -> dict[str, Any]:
+    """Units seen from one place 10 m away with noise of 2 cm along the beam and 3 mm across, shape known."""
+    rng = np.random.default_rng(21)
+    tally = Tally()
+    for _ in range(fits):
+        pose = random_pose(rng)
+        body, normals, leg = sample_surface(FIELD_UNIT, 2 * POINTS, rng, end_discs=False)
+        exact = pose.to_frame(body)
+        sensor = np.array([4.0, -8.0, 6.0])
+        seen = np.einsum("ij,ij->i", normals @ pose.rotation.T, sensor - exact) > 0.05 * np.linalg.norm(sensor - exact, axis=1)
+        covariances = beam_covariances(exact[seen], sensor, 0.02, 0.0003)
+        noise = np.einsum("ijk,ik->ij", np.linalg.cholesky(covariances), rng.normal(size=(seen.sum(), 3)))
+        noisy = exact[seen] + noise
+        fit = adjust(
+            noisy, FIELD_UNIT, rough_start(pose, FIELD_UNIT, rng), options=AdjustmentOptions.ideal(radius_sd=0.0, gradient_sd=0.0),
+            covariances=beam_covariances(noisy, sensor, 0.02, 0.0003) if weighted else None,
+        )  # fmt: skip
+        tally.add(errors_of(fit, pose, FIELD_UNIT), bound(body[seen], leg[seen], FIELD_UNIT, pose, covariances, 6), fit.covariance)
+    return tally.summary()
 
 
 def table_1(folder: Path) -> list[dict[str, Any]]:
