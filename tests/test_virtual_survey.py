@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import hashlib
+import re
 from pathlib import Path
 
 import numpy as np
@@ -85,7 +86,7 @@ def test_sensor_positions_are_those_the_points_were_measured_from(survey: tuple[
         assert not [*site.path.parent.glob("trajectory*"), *site.path.parent.glob("stations*")]
         return
     proposed = site.path.with_name("by_beam.toml")
-    proposed.write_text(site.path.read_text(encoding="utf-8").replace("# ", ""), encoding="utf-8")
+    proposed.write_text(re.sub("^# ", "", site.path.read_text(encoding="utf-8"), flags=re.MULTILINE), encoding="utf-8")
     azimuth = np.radians(plan.azimuth_deg)
     for epoch in read_survey(proposed).epochs:
         assert epoch.range_sd == INSTRUMENTS[plan.instrument].noise
@@ -100,7 +101,10 @@ def test_sensor_positions_are_those_the_points_were_measured_from(survey: tuple[
                 assert np.median(np.abs(along)) < 0.1
                 assert np.mean(np.abs(along) < 0.5) > 0.98
             else:
-                assert (np.linalg.norm(away, axis=1) > 0.5).all()
+                # each of five tripods has measured its surroundings; a stray may be anywhere
+                near = np.linalg.norm(away, axis=1) < 0.5
+                assert len(np.unique(las.point_source_id)) == 5
+                assert np.mean(near) < 1e-3
 
 
 def test_truth_is_complete_and_consistent(survey: tuple[SimulationPlan, Survey]) -> None:
