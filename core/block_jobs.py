@@ -15,6 +15,7 @@ from .pose import Pose
 from .survey import Ring, SurveyUnit, inside
 from .tile_jobs import HALO_HEIGHTS, MARGIN_HEIGHTS, Arrays, Block, job_key, load_arrays
 from .tiles import PointCloud, Window, read_points
+from .trajectory import BeamNoise
 from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
@@ -27,6 +28,8 @@ NEAR_FEATURE_HEIGHTS = 0.15
 OBSERVED_CENTRE_COVERAGE = 0.05
 RADIUS_TOLERANCE, GRADIENT_TOLERANCE = 0.01, 0.01
 """Standard deviation of a unit's radius (relative) and gradient about the nominal shape, as prior observations."""
+ROUGHNESS_RATIO = 0.0015
+"""Standard deviation of a unit's surface about its four cones as a share of its height, where beams are known: 3.5 mm at 2.3 m."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +50,8 @@ class SegmentJob:
         Of the block's tiles.
     given
         Rows of :func:`pose_rows` with the poses of units that are known already (absolute centres); None looks for units.
+    timed
+        Keep the GPS time of the units' points, by which a trajectory is read.
     """
 
     block: Block
@@ -56,6 +61,7 @@ class SegmentJob:
     seed: int
     checksums: tuple[str, ...]
     given: tuple[tuple[float, ...], ...] | None = None
+    timed: bool = False
 
     @property
     def name(self) -> str:
@@ -67,6 +73,7 @@ class SegmentJob:
             "units": repr(self.units),
             "seed": self.seed,
             "given": self.given,
+            "timed": self.timed,
         }
         return f"segment-{job_key('segment', settings, self.checksums)}.npz"
 
@@ -83,7 +90,8 @@ class SegmentJob:
             table, labels = _given(cloud, self.given, self.units)
         margin = self.block.core.grown(MARGIN_HEIGHTS * height)
         keep = margin.contains(table["poses"][:, :3] + cloud.origin)
-        return unit_arrays(cloud, {name: values[keep] for name, values in table.items()}, labels, np.flatnonzero(keep))
+        kept = {name: values[keep] for name, values in table.items()}
+        return unit_arrays(cloud, kept, labels, np.flatnonzero(keep), timed=self.timed)
 
 
 @dataclass(frozen=True)
@@ -100,18 +108,25 @@ class FitJob:
         Geometry by type, calibrated where that was asked for.
     shape_sds
         By type, standard deviations of radius (metres) and gradient as prior observations; 0 holds the shape.
+    beams
+        Noise of ranges and angles with the sensor's positions; None for equal noise in all directions.
     """
 
     segmented: Path
     rows: tuple[int, ...]
     units: tuple[UnitType, ...]
     shape_sds: tuple[tuple[float, float], ...]
+    beams: BeamNoise | None = None
 
     @property
     def name(self) -> str:
         """File name of the result."""
-        settings = {"rows": self.rows, "units": repr(self.units), "sds": repr(self.shape_sds)}
-        return f"fit-{job_key('fit', settings, [self.segmented.name])}.npz"
+        settings: dict[str, Any] = {"rows": self.rows, "units": repr(self.units), "sds": repr(self.shape_sds)}
+        inputs = [self.segmented.name]
+        if self.beams is not None:
+            settings["beams"] = [repr(self.beams.range_sd), repr(self.beams.angle_sd)]
+            inputs += self.beams.checksums
+        return f"fit-{job_key('fit', settings, inputs)}.npz"
 
     def run(self) -> Arrays:
         """Arrays of the units with their adjustment, points included."""
@@ -145,8 +160,12 @@ class FitJob:
             table["shape"][k] = unit.radius, unit.gradient
             options = AdjustmentOptions(radius_sd=self.shape_sds[kind][0], gradient_sd=self.shape_sds[kind][1])
             used = np.ones(len(points), dtype=np.bool_)
+            covariances = None
+            if self.beams is not None:
+                times = source["times"][own] if "times" in source else np.zeros(len(points))
+                covariances = self.beams.covariances(points, source["origin"], source["sources"][own], times, ROUGHNESS_RATIO * unit.height)
             try:
-                result = adjust(points, unit, _pose(table["poses"][k]), options=options)
+                result = adjust(points, unit, _pose(table["poses"][k]), options=options, covariances=covariances)
             except InputError:
                 # too little is seen of it for an adjustment: it stays as segmented, as uncertain evidence without covariance
                 table["status"][k] = "uncertain"
@@ -183,7 +202,9 @@ SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status
 """Arrays of a block's units before adjustment, one row per unit."""
 
 
-def unit_arrays(cloud: PointCloud, table: Mapping[str, NDArray[Any]], labels: IntArray, numbers: IntArray) -> dict[str, NDArray[Any]]:
+def unit_arrays(
+    cloud: PointCloud, table: Mapping[str, NDArray[Any]], labels: IntArray, numbers: IntArray, *, timed: bool = False
+) -> dict[str, NDArray[Any]]:
     """Arrays of units with their points, sorted by unit.
 
     Parameters
@@ -196,12 +217,14 @@ def unit_arrays(cloud: PointCloud, table: Mapping[str, NDArray[Any]], labels: In
         (n,) number of the unit of each point, or -1.
     numbers
         (k,) number of each row of the table.
+    timed
+        Keep GPS times too.
 
     Returns
     -------
     arrays
-        The table, ``origin`` (3,), ``points`` (m, 3) reduced, ``sources`` (m,), and ``offsets`` (k + 1,): points of row i are
-        ``points[offsets[i]:offsets[i + 1]]``.
+        The table, ``origin`` (3,), ``points`` (m, 3) reduced, ``sources`` (m,), ``times`` (m,) if asked for, and ``offsets`` (k + 1,):
+        points of row i are ``points[offsets[i]:offsets[i + 1]]``.
     """
     rows = np.full(int(labels.max(initial=-1)) + 2, -1, dtype=np.int64)
     rows[numbers] = np.arange(len(numbers))
@@ -214,6 +237,7 @@ def unit_arrays(cloud: PointCloud, table: Mapping[str, NDArray[Any]], labels: In
         "origin": cloud.origin,
         "points": cloud.xyz[mine],
         "sources": cloud.source_id[mine],
+        **({"times": cloud.gps_time[mine]} if timed else {}),
         "offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
     }
 

@@ -20,12 +20,12 @@ from __future__ import annotations
 import math
 from copy import copy
 from dataclasses import dataclass
+from statistics import NormalDist
 from typing import Any, Literal
 
 import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import ndtri
 
 from .errors import InputError
 from .pose import Pose
@@ -58,7 +58,7 @@ CORRELATION_SAMPLE = 2500
 """Points among which the correlation of residuals is looked for; all pairs are formed."""
 IMPOSSIBLE = 6.36
 """Standard deviations beyond its edge from which a point cannot lie on a surface (1e-10)."""
-_CELLS = 16
+_CELLS = 12
 """Cells along each axis into which points are sorted to find near ones."""
 _LAG_STEP = 0.005
 _LAGS = _LAG_STEP * np.array([0, 2, 4, 6, 9, 13, 18, 24])
@@ -735,6 +735,16 @@ def _inverse_root(matrix, free, scaling):  # type: ignore[no-untyped-def]
 
 
 @njit(**_COMPILED)
+def _sizes(residuals, biases, sds):  # type: ignore[no-untyped-def]
+    """(n,) sizes of the standardised residuals, inf for points that belong to no part."""
+    sizes = np.abs((residuals - biases) / sds)
+    for i in range(len(sizes)):
+        if math.isnan(sizes[i]):
+            sizes[i] = math.inf
+    return sizes
+
+
+@njit(**_COMPILED)
 def _redundancy(whitened, weights, legs, parts, sds, scale, numbers, detectable):  # type: ignore[no-untyped-def]
     """Redundancy number and minimal detectable bias of every used point; returns the sum of their influences, the number of used lateral
     points by leg and the sum of squared standard deviations."""
@@ -797,11 +807,11 @@ def _in_cells(points, chosen, size):  # type: ignore[no-untyped-def]
         starts[cell[i] + 1] += 1
     for k in range(_CELLS**3):
         starts[k + 1] += starts[k]
-    order = np.zeros(n, dtype=np.int64)
-    place = starts.copy()
+    order = np.empty(n, dtype=np.int64)
+    filled = starts.copy()
     for i in range(n):
-        order[place[cell[i]]] = chosen[i]
-        place[cell[i]] += 1
+        order[filled[cell[i]]] = chosen[i]
+        filled[cell[i]] += 1
     return order, starts
 
 
@@ -809,7 +819,7 @@ def _in_cells(points, chosen, size):  # type: ignore[no-untyped-def]
 def _near_ranges(starts):  # type: ignore[no-untyped-def]
     """(m, 4) ranges first, last, low, high such that every pair i < j of points in the same or touching cells, once, has i in the former
     and j in the latter."""
-    ranges = np.zeros((5 * _CELLS**3, 4), dtype=np.int64)
+    ranges = np.empty((5 * _CELLS**3, 4), dtype=np.int64)
     count = 0
     for x in range(_CELLS):
         for y in range(_CELLS):
@@ -851,7 +861,7 @@ def _lag_products(points, values, whitened, chosen, height, sums, expected, coun
     reach = _LAGS[-1] * height
     order, starts = _in_cells(points, chosen, reach)
     points, values, whitened = points[order], values[order], whitened[order]
-    near, squares = np.zeros(len(points) + 1, dtype=np.int64), np.zeros(len(points) + 1)
+    near, squares = np.empty(len(points) + 1, dtype=np.int64), np.empty(len(points) + 1)
     per_square = 1.0 / (_LAG_STEP * height) ** 2
     for first, last, low, high in _near_ranges(starts):
         for i in range(first, last):
@@ -874,7 +884,7 @@ def _pair_products(points, rows, chosen, length, exponent, reach, out):  # type:
     """Sum over pairs i != j of exp(-(distance / length)^exponent) times the outer product of their rows, into ``out``."""
     order, starts = _in_cells(points, chosen, reach)
     points, rows = points[order], rows[order]
-    near, squares = np.zeros(len(points) + 1, dtype=np.int64), np.zeros(len(points) + 1)
+    near, squares = np.empty(len(points) + 1, dtype=np.int64), np.empty(len(points) + 1)
     mixed = np.zeros(rows.shape)
     for first, last, low, high in _near_ranges(starts):
         for i in range(first, last):
@@ -1005,7 +1015,7 @@ class _Solver:
     def sampled(self, some: slice) -> _Solver:
         """A solver of some of the points that leaves this one's pose alone; the other work arrays are shared."""
         sample = copy(self)
-        sample.take(np.ascontiguousarray(self.xyz[some]), self.cov[some], np.ascontiguousarray(self.given[some]))
+        sample.take(*(np.ascontiguousarray(array[some]) for array in (self.xyz, self.cov, self.given)))
         sample.restore(self.state())
         return sample
 
@@ -1151,17 +1161,17 @@ class _Solver:
 
     def looks_like_noise(self, scale: float) -> bool:
         """Whether nearly all residuals are small beside the unit, and none far beyond their scale."""
-        return scale * float(np.mean(self.sds)) < 0.01 * self.unit.height and self.share_within(scale) > 0.95
+        return scale * float(self.sds.mean()) < 0.01 * self.unit.height and self.share_within(scale) > 0.95
 
     def share_within(self, scale: float) -> float:
         """Share of all points inside the window of the robust weights."""
-        return float(np.mean(np.abs(self.standardised()) < NO_WEIGHT * scale))
+        return float(np.mean(_sizes(self.residuals, self.biases, self.sds) < NO_WEIGHT * scale))
 
     def quantile_scale(self, share: float) -> float:
         """Scale of the residuals of all points, from the quantile of their sizes at ``share``."""
-        u = np.abs(self.standardised())
-        u[~np.isfinite(u)] = math.inf
-        scale = float(np.partition(u, int(share * len(u)))[int(share * len(u))]) / float(ndtri(0.5 * (1 + share)))
+        u = _sizes(self.residuals, self.biases, self.sds)
+        u.partition(int(share * len(u)))
+        scale = float(u[int(share * len(u))]) / NormalDist().inv_cdf(0.5 * (1 + share))
         # a known noise still needs a wide start while the pose is rough
         return min(max(scale, self.options.sigma or self.floor), 1e6 * self.unit.height)
 

@@ -53,7 +53,6 @@ class RunRecord:
 
     def of_epoch(self, epoch: Epoch, extra: Mapping[str, Any]) -> str:
         """JSON for ``epochs.settings``: the run's settings, one epoch's inputs and ``extra`` values."""
-        files = [*epoch.tiles, *(path for path in (epoch.control, epoch.targets, epoch.check) if path is not None)]
         record = {
             "software": f"tetratrack {software_version()}",
             "code": software_fingerprint(),
@@ -62,7 +61,8 @@ class RunRecord:
             "seed": self.seed,
             **self.settings,
             **extra,
-            "inputs": [{"name": path.name, "sha256": self.checksums[path]} for path in files],
+            **({"range_sd": epoch.range_sd, "angle_sd": epoch.angle_sd} if epoch.range_sd is not None else {}),
+            "inputs": [{"name": path.name, "sha256": self.checksums[path]} for path in epoch.files],
         }
         return json.dumps(record, sort_keys=True)
 
@@ -77,7 +77,7 @@ def record_run(survey: Survey, seed: int, settings: Mapping[str, Any]) -> RunRec
     """
     files = [survey.path]
     for epoch in survey.epochs:
-        files += [*epoch.tiles, *(path for path in (epoch.control, epoch.targets, epoch.check) if path is not None)]
+        files += epoch.files
     files = list(dict.fromkeys(files))
     # reading is what takes the time, and hashing releases the interpreter's lock
     with ThreadPoolExecutor(4) as pool:

@@ -54,6 +54,10 @@ class Epoch:
         CRS of tiles whose header declares none, or None.
     control_crs, control_unit
         CRS of the control file, None for the survey's, and length unit of its numbers.
+    trajectory, stations
+        CSV files of the sensor's positions by GPS time, and by point source ID, or None.
+    range_sd, angle_sd
+        Standard deviations of a range, metres, and of each direction of a beam, degrees; None where the sensor's position is not known.
     """
 
     label: str
@@ -65,6 +69,16 @@ class Epoch:
     tiles_crs: str | None = None
     control_crs: str | None = None
     control_unit: Literal["m", "ft", "us-ft"] = "m"
+    trajectory: Path | None = None
+    stations: Path | None = None
+    range_sd: float | None = None
+    angle_sd: float | None = None
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """All files the epoch is made of."""
+        others = (self.control, self.targets, self.check, self.trajectory, self.stations)
+        return (*self.tiles, *(path for path in others if path is not None))
 
 
 @dataclass(frozen=True)
@@ -178,6 +192,12 @@ SECTIONS: dict[str, dict[str, Key]] = {
             "check points, for validation only: point_id,unit_easting,unit_northing,unit_height,easting,northing,height,sd",
             '"check_2025-03-14.csv"',
         ),
+        "trajectory": Key(
+            "file", "sensor positions in the survey's CRS by the tiles' GPS time: gps_time,x,y,z", '"trajectory_2025-03-14.csv"'
+        ),
+        "stations": Key("file", "scanner stations in the survey's CRS: point_source_id,x,y,z", '"stations_2025-03-14.csv"'),
+        "range_sd": Key("number", "standard deviation of a range, metres; with trajectory or stations", "0.02", least=0),
+        "angle_sd": Key("number", "standard deviation of a beam's direction, degrees; with trajectory or stations", "0.01", least=0),
     },
     "displacement": {
         "significance": Key("number", "level of the test of each displacement", "0.05", default=0.05, least=0, most=0.5),
@@ -401,6 +421,20 @@ class _Reader:
         for one, other in (("control", "targets"), ("targets", "control")):
             if values[one] is not None and values[other] is None:
                 raise self._error("epoch", index, one, f"{one} is given without {other}", "Registration needs both, or neither.")
+        placed = [name for name in ("trajectory", "stations") if values[name] is not None]
+        for name in ("range_sd", "angle_sd"):
+            if placed and values[name] is None:
+                raise self._error(
+                    "epoch", index, placed[0], f"{placed[0]} is given without {name}", f"Add: {name} = {SECTIONS['epoch'][name].example}"
+                )
+            if values[name] is not None and not placed:
+                raise self._error(
+                    "epoch",
+                    index,
+                    name,
+                    f"{name} is given without trajectory or stations",
+                    "Beams are known only from the sensor's position.",
+                )
         if values["tiles_crs"] is not None and values["tiles_crs"] != LOCAL:
             check_survey_crs(values["tiles_crs"], source=self.source, where=self._where("epoch", index, "tiles_crs"))
         return Epoch(**values)

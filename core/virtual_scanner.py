@@ -8,7 +8,7 @@ relief is the same from every station and in every epoch.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -47,6 +47,8 @@ class Returns:
         (n,) seconds since the start of the survey.
     return_number, returns
         (n,) number of the return and count of returns of its pulse.
+    sensor
+        (n, 3) where the pulse left from, site frame, metres.
     """
 
     points: FloatArray
@@ -56,6 +58,7 @@ class Returns:
     time: FloatArray
     return_number: NDArray[np.uint8]
     returns: NDArray[np.uint8]
+    sensor: FloatArray
 
     def chosen(self, which: NDArray[np.bool_] | IntArray) -> Returns:
         """The subset of points given by a mask or indices."""
@@ -274,7 +277,7 @@ def survey_photogrammetry(scene: Scene, rng: np.random.Generator, *, density: fl
     n = len(cloud.points)
     errors = np.column_stack([_field(cloud.points, np.random.default_rng([scene.seed, 5, k]), 0.12 * h, 0.8 * h) for k in range(3)])
     points = cloud.points + noise * errors * [0.6, 0.6, 1] + rng.normal(0, 0.5 * noise, (n, 3))
-    cloud = Returns(points, cloud.labels, np.ones(n, dtype=np.int64), cloud.intensity, np.zeros(n), cloud.return_number, cloud.returns)
+    cloud = replace(cloud, points=points, source=np.ones(n, dtype=np.int64), time=np.zeros(n))
     return _with_strays(scene, cloud, rng, 2e-4)
 
 
@@ -343,12 +346,13 @@ def _measure(
             time[double],
             np.where(order, 1, 2).astype(np.uint8),
             np.full(len(points), 2, dtype=np.uint8),
+            origins[double],
         )
         split &= ~double
     # a beam that meets two surfaces closer than its pulse length returns a range in between
     measured[split] = distance[split] + rng.uniform(0, 1, int(split.sum())) * (far[split] - distance[split])
     points = origins + directions * measured[:, None] + shift
-    first = Returns(points, label, np.full(len(points), source), _intensity(cosine, label, rng), time, number, count)
+    first = Returns(points, label, np.full(len(points), source), _intensity(cosine, label, rng), time, number, count, origins)
     return first if back is None else Returns.joined([first, back])
 
 
@@ -359,7 +363,7 @@ def _with_strays(scene: Scene, cloud: Returns, rng: np.random.Generator, share: 
     strays = rng.uniform(low, high + np.array([0, 0, 0.4 * scene.unit.height]), (n, 3))
     pick = rng.integers(0, len(cloud.points), n)
     one = np.ones(n, dtype=np.uint8)
-    added = Returns(strays, np.full(n, OUTLIER), cloud.source[pick], cloud.intensity[pick], cloud.time[pick], one, one)
+    added = Returns(strays, np.full(n, OUTLIER), cloud.source[pick], cloud.intensity[pick], cloud.time[pick], one, one, cloud.sensor[pick])
     together = Returns.joined([cloud, added])
     return together.chosen(np.lexsort((together.return_number, together.time)))
 

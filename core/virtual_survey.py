@@ -38,6 +38,11 @@ FloatArray = NDArray[np.float64]
 _OPPOSITE = (3, 2, 1, 0)
 """Leg opposite to each feature point."""
 
+SENSOR_FILES: dict[Instrument, str] = {"uav": "trajectory", "tls": "stations"}
+"""Key of survey.toml under which an instrument's positions are given."""
+ANGLE_SD = 0.002
+"""Standard deviation of a beam's direction that the survey.toml proposes, degrees: the simulated beams are all but exact."""
+
 LOCAL_WKT = (
     'ENGCRS["Laboratory frame",EDATUM["Laboratory"],CS[Cartesian,3],AXIS["x",east,ORDER[1],LENGTHUNIT["metre",1]],'
     'AXIS["y",north,ORDER[2],LENGTHUNIT["metre",1]],AXIS["z",up,ORDER[3],LENGTHUNIT["metre",1]]]'
@@ -311,6 +316,7 @@ class _Simulation:
             self._record_moves(before if k else (), pile, k)
             self._write_control(targets, time, disturbed=k == 1)
             self._write_tiles(cloud, time)
+            self._write_sensors(cloud, time)
             self._write_checks(checks, pile, time)
         self._write_truth()
         self._write_toml()
@@ -423,6 +429,28 @@ class _Simulation:
                 labels[name] = cloud.labels[inside].astype(np.int16)
         np.savez_compressed(self.folder / "truth" / f"labels_{label}.npz", **labels)  # type: ignore[arg-type]
 
+    def _write_sensors(self, cloud: Returns, time: datetime) -> None:
+        """Where the scanner was, in the frame of the cloud: a trajectory by GPS time for the UAV, stations for the tripod."""
+        kind = SENSOR_FILES.get(self.plan.instrument)
+        if kind is None:
+            return
+        rows: list[list[object]] = []
+        for source in np.unique(cloud.source):
+            own = np.flatnonzero(cloud.source == source)
+            moments = cloud.time[own]
+            order = np.argsort(moments, kind="stable")
+            if kind == "trajectory":
+                # to the very first and last pulse of the line, ten times a second between
+                steps = np.linspace(moments.min(), moments.max(), 2 + int(10 * np.ptp(moments)))
+                places = np.column_stack([np.interp(steps, moments[order], cloud.sensor[own[order], k]) for k in range(3)])
+                names = [repr(float(v)) for v in _gps_seconds(time) + steps]
+            else:
+                places, names = cloud.sensor[own[:1]], [str(int(source))]
+            placed = self._in_cloud(self.frame.place(places))
+            rows += [[name, *(f"{v:.4f}" for v in place)] for name, place in zip(names, placed, strict=True)]
+        first = "gps_time" if kind == "trajectory" else "point_source_id"
+        _write_csv(self.folder / f"{kind}_{_label(time)}.csv", f"{first},x,y,z", rows)
+
     def _write_checks(self, checks: Iterable[PiledUnit], pile: tuple[PiledUnit, ...], time: datetime) -> None:
         """Feature points by total station: those that can be seen, with the same name in every epoch."""
         label = _label(time)
@@ -472,6 +500,10 @@ class _Simulation:
             label = _label(time)
             lines += ["", "[[epoch]]", f'label = "{label}"', f"time = {time:%Y-%m-%dT%H:%M:%SZ}", f'tiles = "tiles/{label}/*.laz"']
             lines += [f'{kind} = "{kind}_{label}.csv"' for kind in ("control", "targets", "check")]
+            if plan.instrument in SENSOR_FILES:
+                kind = SENSOR_FILES[plan.instrument]
+                lines += [f'# {kind} = "{kind}_{label}.csv"  # with the next two, points are weighted along and across their beams']
+                lines += [f"# range_sd = {plan.noise or self.instrument.noise}", f"# angle_sd = {ANGLE_SD}"]
         (self.folder / "survey.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
@@ -535,10 +567,13 @@ def _write_las(path: Path, points: FloatArray, cloud: Returns, plan: SimulationP
     las.number_of_returns = cloud.returns
     las.classification = np.ones(len(points), dtype=np.uint8)
     las.point_source_id = cloud.source.astype(np.uint16)
-    # adjusted standard GPS time: seconds since 1980-01-06 less 1e9; 18 leap seconds since 2017
-    since = (time - datetime(1980, 1, 6, tzinfo=UTC)).total_seconds() + 18 - 1e9
-    las.gps_time = since + cloud.time
+    las.gps_time = _gps_seconds(time) + cloud.time
     las.write(str(path))
+
+
+def _gps_seconds(time: datetime) -> float:
+    """Adjusted standard GPS time: seconds since 1980-01-06 less 1e9; 18 leap seconds since 2017."""
+    return (time - datetime(1980, 1, 6, tzinfo=UTC)).total_seconds() + 18 - 1e9
 
 
 def _write_csv(path: Path, header: str, rows: Iterable[Iterable[object]]) -> None:

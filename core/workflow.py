@@ -40,9 +40,10 @@ from .result_rows import (
 )
 from .run_record import RunRecord, record_run
 from .schema import LAYERS
-from .survey import Survey
+from .survey import Epoch, Survey
 from .tile_jobs import JobRunner, load_arrays, plan_blocks
 from .tiles import TileInfo, inspect_tile, read_points
+from .trajectory import BeamNoise, read_stations, read_trajectory
 from .unit_types import UnitType
 
 if TYPE_CHECKING:
@@ -122,6 +123,10 @@ def plan_survey(survey: Survey, feedback: Feedback | None = None) -> tuple[Epoch
     total = sum(len(epoch.tiles) for epoch in survey.epochs)
     done = 0
     for epoch in survey.epochs:
+        if epoch.trajectory is not None:
+            read_trajectory(epoch.trajectory)
+        if epoch.stations is not None:
+            read_stations(epoch.stations)
         tiles = []
         for path in epoch.tiles:
             feedback.check()
@@ -129,6 +134,12 @@ def plan_survey(survey: Survey, feedback: Feedback | None = None) -> tuple[Epoch
             tile = inspect_tile(path, survey.crs, tiles_crs=epoch.tiles_crs)
             if tile.note:
                 feedback.info(tile.note)
+            if epoch.trajectory is not None and not tile.has_time:
+                raise InputError(
+                    f"has no GPS time by which trajectory {epoch.trajectory.name} could be read",
+                    source=path,
+                    remedy="Export the tiles with GPS time, or take trajectory, range_sd and angle_sd out of survey.toml.",
+                )
             tiles.append(tile)
             done += 1
         plans.append(EpochPlan(epoch, tuple(tiles), plan_blocks(epoch.label, tiles, height)))
@@ -160,6 +171,7 @@ def segment_epochs(
             record.seed,
             tuple(record.checksums[tile.path] for tile in block.tiles),
             None if given is None else tuple(given.get(plan.epoch.label, ())),
+            timed=plan.epoch.trajectory is not None,
         )
         for plan, block in blocks
     ]
@@ -198,7 +210,7 @@ def find_and_fit(
         survey, shape_sds, notes = calibrate_shapes(survey, found, shape_sds, feedback)
         found = segment_epochs(survey, plans, record, runner, feedback.part(share, 0.8), given)
         share = 0.8
-    return fit_epochs(found, shape_sds, runner, feedback.part(share, 1)), notes
+    return fit_epochs(found, shape_sds, record, runner, feedback.part(share, 1)), notes
 
 
 def calibrate_shapes(
@@ -250,7 +262,7 @@ def calibrate_shapes(
 
 
 def fit_epochs(
-    epochs: Sequence[EpochUnits], shape_sds: tuple[tuple[float, float], ...], runner: JobRunner, feedback: Feedback
+    epochs: Sequence[EpochUnits], shape_sds: tuple[tuple[float, float], ...], record: RunRecord, runner: JobRunner, feedback: Feedback
 ) -> tuple[EpochUnits, ...]:
     """Adjust every unit to its points.
 
@@ -260,12 +272,20 @@ def fit_epochs(
         Units with approximate poses.
     shape_sds
         By type of unit, standard deviations of radius (metres) and gradient about the type's shape; 0 holds it.
+    record
+        Checksums of the inputs.
+
+    Raises
+    ------
+    InputError
+        The sensor's position is not known for a point, where positions are given.
     """
     jobs = []
     for epoch in epochs:
+        beams = _beam_noise(epoch.plan.epoch, record)
         for number, path in enumerate(epoch.files):
             rows = tuple(int(row) for row in np.sort(epoch.places[epoch.places[:, 0] == number, 1]))
-            jobs.append(FitJob(path, rows, epoch.units, shape_sds))
+            jobs.append(FitJob(path, rows, epoch.units, shape_sds, beams))
     files = iter(runner.run(jobs, lambda done, total: feedback.progress(done / total, f"adjusting units, block {done} of {total}")))
     result = []
     for epoch in epochs:
@@ -273,6 +293,15 @@ def fit_epochs(
         arrays = [_loaded(path) for path in own]
         result.append(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own, epoch.units))
     return tuple(result)
+
+
+def _beam_noise(epoch: Epoch, record: RunRecord) -> BeamNoise | None:
+    """Noise along and across the beams, where survey.toml gives the sensor's positions."""
+    if epoch.range_sd is None or epoch.angle_sd is None:
+        return None
+    files = [path for path in (epoch.trajectory, epoch.stations) if path is not None]
+    checksums = tuple(record.checksums[path] for path in files)
+    return BeamNoise(epoch.range_sd, math.radians(epoch.angle_sd), epoch.trajectory, epoch.stations, checksums)
 
 
 def write_result(path: str | Path, survey_crs: str, tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> None:

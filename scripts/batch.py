@@ -110,7 +110,7 @@ def _settled_state(survey: Path, feedback: Feedback) -> str | None:
     except InputError as error:
         feedback.progress(0.0, f"waiting: {error}")
         return None
-    files = [survey, *(path for epoch in described.epochs for path in (*epoch.tiles, epoch.control, epoch.targets, epoch.check) if path)]
+    files = [survey, *(path for epoch in described.epochs for path in epoch.files)]
     sizes = [path.stat().st_size for path in files]
     time.sleep(SETTLED_SECONDS)
     if [path.stat().st_size for path in files if path.exists()] != sizes:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import hashlib
+import re
 from pathlib import Path
 
 import numpy as np
@@ -19,8 +20,9 @@ from tetratrack.core.feature_points import body_features
 from tetratrack.core.pose import Pose
 from tetratrack.core.survey import Survey, read_survey
 from tetratrack.core.tetrapod import relate, sample_surface
+from tetratrack.core.trajectory import BeamNoise
 from tetratrack.core.unit_types import UnitType
-from tetratrack.core.virtual_survey import SimulationPlan, simulate_survey
+from tetratrack.core.virtual_survey import INSTRUMENTS, SENSOR_FILES, SimulationPlan, simulate_survey
 
 PLANS = {
     "uav": SimulationPlan(
@@ -76,6 +78,33 @@ def test_points_of_a_unit_lie_on_it_once_registered(survey: tuple[SimulationPlan
         scale = 0.004 if plan.laboratory else 0.035
         assert np.abs(np.median(residuals)) < scale
         assert 1.4826 * np.median(np.abs(residuals - np.median(residuals))) < scale
+
+
+def test_sensor_positions_are_those_the_points_were_measured_from(survey: tuple[SimulationPlan, Survey]) -> None:
+    plan, site = survey
+    if plan.instrument not in SENSOR_FILES:
+        assert not [*site.path.parent.glob("trajectory*"), *site.path.parent.glob("stations*")]
+        return
+    proposed = site.path.with_name("by_beam.toml")
+    proposed.write_text(re.sub("^# ", "", site.path.read_text(encoding="utf-8"), flags=re.MULTILINE), encoding="utf-8")
+    azimuth = np.radians(plan.azimuth_deg)
+    for epoch in read_survey(proposed).epochs:
+        assert epoch.range_sd == INSTRUMENTS[plan.instrument].noise
+        assert epoch.angle_sd is not None
+        beams = BeamNoise(epoch.range_sd, np.radians(epoch.angle_sd), epoch.trajectory, epoch.stations, (epoch.label,))
+        for tile in epoch.tiles:
+            las = laspy.read(tile)
+            away = beams.sensors(np.asarray(las.point_source_id), np.asarray(las.gps_time)) - np.asarray(las.xyz)
+            if plan.instrument == "uav":
+                # the profiler scans across its line: what is not a stray or a second return lies in the plane of its scan
+                along = away[:, 0] * np.cos(azimuth) - away[:, 1] * np.sin(azimuth)
+                assert np.median(np.abs(along)) < 0.1
+                assert np.mean(np.abs(along) < 0.5) > 0.98
+            else:
+                # each of five tripods has measured its surroundings; a stray may be anywhere
+                near = np.linalg.norm(away, axis=1) < 0.5
+                assert len(np.unique(las.point_source_id)) == 5
+                assert np.mean(near) < 1e-3
 
 
 def test_truth_is_complete_and_consistent(survey: tuple[SimulationPlan, Survey]) -> None:
