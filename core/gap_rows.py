@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from .control import Transformation
-from .gaps import Gap, armour_of, find_gaps, strongest
+from .gaps import Gap, armour_of, clearest, find_gaps
 from .quality import ACCEPTED, CLOSEST_HEIGHTS, REACH_HEIGHTS, kinds_of, pose_table
 from .schema import PLACEHOLDER
 from .tiles import read_points
@@ -20,7 +20,7 @@ from .unit_types import UnitType
 
 if TYPE_CHECKING:
     from .control import Registration
-    from .result_rows import EpochUnits
+    from .result_rows import EpochPlan
     from .survey import Survey
     from .workflow import Feedback
 
@@ -33,7 +33,7 @@ NEAREST = 3
 
 
 def look_into_tiles(
-    survey: Survey, epochs: Sequence[EpochUnits], units: tuple[UnitType, ...], registrations: Mapping[str, Registration], feedback: Feedback
+    survey: Survey, plans: Sequence[EpochPlan], units: tuple[UnitType, ...], registrations: Mapping[str, Registration], feedback: Feedback
 ) -> Look:
     """What :func:`gap_rows` needs to look into the clouds of the epochs, block by block."""
 
@@ -43,7 +43,7 @@ def look_into_tiles(
         armour = armour_of(poses, kinds_of(rows, units), units)
         if armour is None:
             return []
-        plan = epochs[number].plan
+        plan = plans[number]
         registration = registrations.get(plan.epoch.label)
         transformation = Transformation.identity(origin) if registration is None else registration.transformation
         where = transformation.invert(poses[:, :3] + origin)
@@ -56,7 +56,7 @@ def look_into_tiles(
             cloud = read_points(block.tiles, survey.crs, window=block.core.grown(reach), origin=origin, tiles_crs=plan.epoch.tiles_crs)
             gaps = find_gaps(transformation.apply(cloud.xyz + origin) - origin, armour)
             found += [gap for gap in gaps if block.core.contains(transformation.invert(gap.place[None] + origin))[0]]
-        return strongest(found, armour.height)
+        return clearest(found, armour.height)
 
     return look
 

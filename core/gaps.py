@@ -169,7 +169,7 @@ def find_gaps(points: FloatArray, armour: Armour) -> list[Gap]:
     Returns
     -------
     gaps
-        At least a height apart, strongest first.
+        At least a height apart, largest area first.
     """
     elements = unexplained(points, armour)
     if not len(elements):
@@ -179,7 +179,7 @@ def find_gaps(points: FloatArray, armour: Armour) -> list[Gap]:
     found: list[Gap] = []
     for kind in np.unique(kinds):
         found += _judged(places[kinds == kind], int(kind), elements, armour)
-    return strongest(found, armour.height)
+    return clearest(found, armour.height)
 
 
 def unexplained(points: FloatArray, armour: Armour) -> FloatArray:
@@ -195,10 +195,10 @@ def unexplained(points: FloatArray, armour: Armour) -> FloatArray:
     return elements[free]
 
 
-def strongest(gaps: Sequence[Gap], height: float) -> list[Gap]:
-    """Of gaps within a height of each other, which one missing unit explains, the one with the highest score and then the largest area."""
+def clearest(gaps: Sequence[Gap], height: float) -> list[Gap]:
+    """Of gaps within a height of each other, which one missing unit explains, the one with the largest area: it lies most in the middle."""
     kept: list[Gap] = []
-    for gap in sorted(gaps, key=lambda g: (-g.score, -g.area, *g.place)):
+    for gap in sorted(gaps, key=lambda g: (-g.area, -g.score, *g.place)):
         if all(np.linalg.norm(gap.place - other.place) >= height for other in kept):
             kept.append(gap)
     return kept

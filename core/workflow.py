@@ -551,8 +551,8 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         feedback.progress(start, "tracking units")
         tables, summary = track_tables(survey, fitted, fitted[0].units, registrations, feedback)
         feedback.progress(1 - 3 * SHARES["write"], "looking for gaps")
-        when = [(epoch.plan.epoch.label, epoch.plan.epoch.time) for epoch in fitted]
-        look = look_into_tiles(survey, fitted, fitted[0].units, registrations, feedback)
+        when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
+        look = look_into_tiles(survey, plans, fitted[0].units, registrations, feedback)
         tables["gaps"] = gap_rows(tables["units"], when, fitted[0].units, look)
         qualities = state_quality(tables["units"], fitted[0].units, [label for label, _ in when], feedback, tables["gaps"])
         tables |= {"control_residuals": [], "epochs": []}
