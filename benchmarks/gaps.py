@@ -2,9 +2,9 @@
 
     python benchmarks/gaps.py SURVEY=RESULT...
 
-SURVEY is a folder with survey.toml and truth/, RESULT what ``tetratrack run`` made of it. A gap is right when a unit that the epoch's
-result lacks, or one taken away since the first epoch, lies within 0.5 H of it. Each epoch is judged twice: with all it knows from
-the other epochs, and from its own cloud and packing alone.
+SURVEY is a folder with survey.toml and truth/, RESULT what ``tetratrack run`` made of it; gaps are looked for anew. A gap is right when
+a unit that the epoch's result lacks, or one taken away since the first epoch, lies within 0.5 H of it. Each epoch is judged twice: with
+all it knows from the other epochs, and from its own cloud and packing alone.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ import numpy as np
 from ground_truth import CENTRE_TOLERANCE
 from numpy.typing import NDArray
 from tetratrack.core.gap_rows import gap_rows, look_into_tiles
+from tetratrack.core.gaps import Gap
 from tetratrack.core.quality import ACCEPTED
 from tetratrack.core.result_tables import read_layer_rows
 from tetratrack.core.survey import read_survey
@@ -57,16 +58,23 @@ def judge(folder: Path, result: Path) -> list[str]:
     units = tuple(unit.type for unit in survey.units)
     look = look_into_tiles(survey, plans, units, register_epochs(survey, Feedback()), Feedback())
     rows: list[Mapping[str, Any]] = [row | {"geometry": row["geom"]} for row in read_layer_rows(result, "units")]
-    gaps = read_layer_rows(result, "gaps")
-    labels = [plan.epoch.label for plan in plans]
+    when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
+    labels = [label for label, _ in when]
+    seen: dict[int, list[Gap]] = {}
+
+    def once(number: int, placed: Sequence[Mapping[str, Any]], origin: FloatArray) -> list[Gap]:
+        seen[number] = look(number, placed, origin)
+        return seen[number]
+
+    gaps = gap_rows(rows, when, units, once)
     lines = []
-    for number, plan in enumerate(plans):
-        label = plan.epoch.label
+    for number, label in enumerate(labels):
         own = [row for row in rows if row["epoch"] == label and row["geometry"] is not None]
-        missed, gone = missing_units(folder, label, labels, np.array([row["geometry"] for row in own]), height)
-        alone = gap_rows(own, [(label, plan.epoch.time)], units, lambda _, placed, origin, number=number: look(number, placed, origin))
+        centres = np.array([row["geometry"] for row in own])
+        missed, gone = missing_units(folder, label, labels, centres, height)
+        origin = np.round(centres.mean(axis=0))
         cells = [str(sum(row["status"] in ACCEPTED for row in own)), str(len(missed)), str(len(gone))]
-        for places in ([row["geom"] for row in gaps if row["epoch"] == label], [row["geometry"] for row in alone]):
+        for places in ([row["geometry"] for row in gaps if row["epoch"] == label], [gap.place + origin for gap in seen[number]]):
             cells += [str(count) for count in tally(np.array(places).reshape(-1, 3), missed, gone, height)]
         lines.append(f"| {folder.name} {label} | {' | '.join(cells)} |")
     return lines

@@ -21,7 +21,7 @@ from scipy.spatial.transform import Rotation
 
 from .aggregation import assign
 from .assembly import NUMBER_OF_CELLS
-from .quality import CLOSEST_HEIGHTS, REACH_HEIGHTS
+from .quality import CLOSEST_HEIGHTS, REACH_HEIGHTS, nearest_centres
 from .surface_elements import THINNING_RATIO, thin
 from .tetrapod import surface_area
 from .unit_types import UnitType
@@ -44,10 +44,13 @@ WIDEST_GAP = np.radians(120)
 """Largest angle between neighbours in the armour's surface: six around a place with one missing."""
 COARSE = 4
 """Steps of the lattice in a cell of the first, coarse look."""
-ROTATIONS = 80
-"""Orientations tried in a place: about 25 degrees apart, modulo the unit's symmetry."""
+ROTATIONS = 400
+"""Orientations tried in a place: about 15 degrees apart, modulo the unit's symmetry."""
 FIT_SAMPLES = 300
-NEIGHBOURS_FOR_SPACING = 3
+FEWEST_AROUND = 4
+"""Units that must stand around a place."""
+TIGHTEST = 0.05
+"""Share of the epoch's units that may stand closer to their nearest neighbour than a missing one would."""
 EXPLAINS_MOST = 0.5
 """Share of the points of no unit around a place that a unit there must explain."""
 
@@ -89,38 +92,29 @@ class Armour:
         (k,) index of each unit's type, and the types.
     tree
         Of the centres.
-    spacing
-        Sorted, of the units that others surround: distance to the third nearest centre in heights.
+    closest
+        Distance in metres that a missing unit keeps from its neighbours, as nearly all units of the epoch do.
     """
 
     poses: FloatArray
     kinds: IntArray
     units: tuple[UnitType, ...]
     tree: cKDTree
-    spacing: FloatArray
+    closest: float
 
     @property
     def height(self) -> float:
         """Largest height of a unit, metres."""
         return max(unit.height for unit in self.units)
 
-    def rank(self, place: FloatArray) -> float:
-        """Share of the surrounded units, 0 to 1, that stand closer to their neighbours than the (3,) place does; 0 without such units."""
-        if not len(self.spacing):
-            return 0.0
-        distance = self.tree.query(place, k=NEIGHBOURS_FOR_SPACING)[0][-1] / self.height
-        return float(np.searchsorted(self.spacing, distance) / len(self.spacing))
-
 
 def armour_of(poses: FloatArray, kinds: IntArray, units: Sequence[UnitType]) -> Armour | None:
     """The packing of (k, 12) poses of the types ``kinds``; None where there are too few units to surround anything."""
-    if len(poses) <= NEIGHBOURS_FOR_SPACING:
+    if len(poses) < FEWEST_AROUND:
         return None
-    height = max(unit.height for unit in units)
-    tree = cKDTree(poses[:, :3])
-    inner = surrounded(poses[:, :3], tree, height)
-    spacing = tree.query(poses[inner, :3], k=NEIGHBOURS_FOR_SPACING + 1)[0][:, -1] / height
-    return Armour(poses, kinds, tuple(units), tree, np.sort(spacing))
+    centres = np.ascontiguousarray(poses[:, :3])
+    closest = max(CLOSEST_HEIGHTS * max(unit.height for unit in units), float(np.quantile(nearest_centres(centres), TIGHTEST)))
+    return Armour(poses, kinds, tuple(units), cKDTree(centres), closest)
 
 
 def surrounded(places: FloatArray, tree: cKDTree, height: float) -> NDArray[np.bool_]:
@@ -131,7 +125,7 @@ def surrounded(places: FloatArray, tree: cKDTree, height: float) -> NDArray[np.b
     places
         Metres, frame of ``tree``.
     tree
-        Of the units' centres; one at the place itself is left out.
+        Of the units' centres.
     height
         H, metres.
     """
@@ -143,8 +137,7 @@ def surrounded(places: FloatArray, tree: cKDTree, height: float) -> NDArray[np.b
     wide = tree.query_ball_point(places, SURFACE_HEIGHTS * height)
     for k, place in enumerate(places):
         around = centres[near[k]] - place
-        around = around[np.linalg.norm(around, axis=1) > 1e-6 * height]
-        if len(around) <= NEIGHBOURS_FOR_SPACING:
+        if len(around) < FEWEST_AROUND:
             continue
         patch = centres[wide[k]]
         axes = np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)[2]
@@ -196,11 +189,18 @@ def unexplained(points: FloatArray, armour: Armour) -> FloatArray:
 
 
 def clearest(gaps: Sequence[Gap], height: float) -> list[Gap]:
-    """Of gaps within a height of each other, which one missing unit explains, the one with the largest area: it lies most in the middle."""
+    """One for each missing unit: of gaps within a height of the one with the largest area, the one in their middle.
+
+    Where a unit explains the points, a place beside it, into which those points reach, is no hole.
+    """
     kept: list[Gap] = []
-    for gap in sorted(gaps, key=lambda g: (-g.area, -g.score, *g.place)):
-        if all(np.linalg.norm(gap.place - other.place) >= height for other in kept):
-            kept.append(gap)
+    left = sorted(gaps, key=lambda g: (-g.area, -g.score, *g.place))
+    while left:
+        near = [gap for gap in left if np.linalg.norm(gap.place - left[0].place) < height]
+        near = [gap for gap in near if gap.kind == "unexplained"] or near
+        middle = np.average([gap.place for gap in near], axis=0, weights=[gap.area for gap in near])
+        kept.append(min(near, key=lambda g: (float(np.linalg.norm(g.place - middle)), *g.place)))
+        left = [gap for gap in left if np.linalg.norm(gap.place - left[0].place) >= height]
     return kept
 
 
@@ -222,7 +222,7 @@ def _places(elements: FloatArray, armour: Armour) -> FloatArray:
     fine = _lattice(np.zeros(3), np.full(3, (COARSE - 1) * step), step)
     places = (coarse[:, None] + fine).reshape(-1, 3)
     away = armour.tree.query(places, distance_upper_bound=REACH_HEIGHTS * height)[0]
-    places = places[(away >= CLOSEST_HEIGHTS * height) & np.isfinite(away)]
+    places = places[(away >= armour.closest) & np.isfinite(away)]
     if len(places):
         wanted = needed_area(smallest) / (VOXEL_HEIGHTS * height) ** 2
         places = places[tree.query_ball_point(places, reach, return_length=True) >= wanted]
@@ -258,8 +258,9 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
             continue
         if on >= wanted and inside <= 0.08 * on and on >= EXPLAINS_MOST * near:
             gaps.append(Gap(place, "unexplained", float(on / near), float(on * voxel), kind))
-        elif empty >= wanted and (rank := armour.rank(place)) >= EXPLAINS_MOST:
-            gaps.append(Gap(place, "hole", rank, float(empty * voxel), kind))
+        elif empty >= wanted:
+            section = np.pi * unit.crotch_distance**2
+            gaps.append(Gap(place, "hole", float(min(1.0, empty * voxel / section)), float(empty * voxel), kind))
     return gaps
 
 
@@ -308,6 +309,22 @@ def _fits(
         best = -1e300
         for r in range(len(rotations)):
             turn = rotations[r]
+            on = 0
+            inside = 0
+            for a in range(element_starts[i], element_starts[i + 1]):
+                e = elements[near[a]]
+                d0, d1, d2 = e[0] - places[i, 0], e[1] - places[i, 1], e[2] - places[i, 2]
+                x = d0 * turn[0, 0] + d1 * turn[1, 0] + d2 * turn[2, 0]
+                y = d0 * turn[0, 1] + d1 * turn[1, 1] + d2 * turn[2, 1]
+                z = d0 * turn[0, 2] + d1 * turn[1, 2] + d2 * turn[2, 2]
+                distance = _outside(x, y, z, legs[kind], shapes[kind])
+                if distance < -tolerance:
+                    inside += 1
+                elif distance < tolerance:
+                    on += 1
+            # the elements are fewer than the samples of the solid, and only a better orientation need fit
+            if on - 3 * inside <= best:
+                continue
             entered = 0
             for s in range(len(samples)):
                 at = turn @ samples[s] + places[i]
@@ -323,22 +340,7 @@ def _fits(
                         break
                 if entered > limit:
                     break
-            if entered > limit:
-                continue
-            on = 0
-            inside = 0
-            for a in range(element_starts[i], element_starts[i + 1]):
-                e = elements[near[a]]
-                d0, d1, d2 = e[0] - places[i, 0], e[1] - places[i, 1], e[2] - places[i, 2]
-                x = d0 * turn[0, 0] + d1 * turn[1, 0] + d2 * turn[2, 0]
-                y = d0 * turn[0, 1] + d1 * turn[1, 1] + d2 * turn[2, 1]
-                z = d0 * turn[0, 2] + d1 * turn[1, 2] + d2 * turn[2, 2]
-                distance = _outside(x, y, z, legs[kind], shapes[kind])
-                if distance < -tolerance:
-                    inside += 1
-                elif distance < tolerance:
-                    on += 1
-            if on - 3 * inside > best:
+            if entered <= limit:
                 best = on - 3 * inside
                 out[i, 0] = 1.0
                 out[i, 1] = on

@@ -176,7 +176,7 @@ LAYERS: dict[str, Layer] = {
                     "score",
                     "real",
                     "0 to 1; lost and unseen: 1; unexplained: share of the points of no unit around the place that lie on the unit's "
-                    "surface; hole: share of the surrounded units of the epoch that stand closer to their neighbours",
+                    "surface; hole: share of the cross-section of the unit's core that the cloud reaches into",
                 ),
                 Field("area", "real", "surface of no unit that the cloud shows on the unit (unexplained) or within its core (hole)", "m2"),
                 Field("nearest_units", "text", "JSON list of the unit_id of the three nearest units"),
