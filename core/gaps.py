@@ -16,16 +16,18 @@ from typing import Any, Literal
 import numpy as np
 from numba import njit, prange
 from numpy.typing import NDArray
+from scipy.optimize import least_squares
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 from .aggregation import assign
 from .assembly import NUMBER_OF_CELLS
+from .pose import Pose
 from .quality import CLOSEST_HEIGHTS, REACH_HEIGHTS, nearest_centres
 from .surface_elements import THINNING_RATIO, thin
-from .tetrapod import surface_area
+from .tetrapod import relate, surface_area
 from .unit_types import UnitType
-from .verification import FEWEST_CELLS, MOST_OVERLAP, solid_samples
+from .verification import FEWEST_CELLS, MOST_OVERLAP, overlap, solid_samples
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -51,8 +53,10 @@ FEWEST_AROUND = 4
 """Units that must stand around a place."""
 TIGHTEST = 0.05
 """Share of the epoch's units that may stand closer to their nearest neighbour than a missing one would."""
-EXPLAINS_MOST = 0.5
-"""Share of the points of no unit around a place that a unit there must explain."""
+MOST_INSIDE = 0.08
+"""Elements inside a unit, over those on its surface, above which they contradict it; as in the verification of poses."""
+EXPLAINS_MOST = 0.75
+"""Share of the points of no unit around a place that a unit there must explain: rock seen through a pore seldom fits as well."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -243,7 +247,7 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
     tree = cKDTree(elements)
     core = tree.query_ball_point(places, unit.crotch_distance, return_length=True)
     shapes = armour.units
-    table = _fits(
+    turns = _fits(
         places, *_packed(armour.tree.query_ball_point(places, REACH_HEIGHTS * armour.height)),
         armour.poses, armour.kinds, np.array([u.leg_directions for u in shapes]),
         np.array([[u.radius, u.gradient, u.leg_length] for u in shapes]), kind,
@@ -251,17 +255,45 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
         MOST_OVERLAP, EXPLAINED_HEIGHTS * unit.height,
     )  # fmt: skip
     gaps = []
-    for place, (fits, on, inside), empty, near in zip(
-        places, table, core, tree.query_ball_point(places, reach, return_length=True), strict=True
-    ):
-        if not fits:
+    for place, turn, empty, near in zip(places, turns, core, tree.query_ball_point(places, reach), strict=True):
+        # neighbouring places of the lattice settle in one and the same pose
+        known = (gap.place for gap in gaps if gap.kind == "unexplained")
+        if turn < 0 or any(np.linalg.norm(place - other) < 2 * STEP_HEIGHTS * unit.height for other in known):
             continue
-        if on >= wanted and inside <= 0.08 * on and on >= EXPLAINS_MOST * near:
-            gaps.append(Gap(place, "unexplained", float(on / near), float(on * voxel), kind))
+        own = elements[near]
+        pose = _settled(Pose(place, _rotations()[turn]), own, unit)
+        distance = relate(pose.to_body(own), unit).distance
+        tolerance = EXPLAINED_HEIGHTS * unit.height
+        on, inside = int(np.sum(np.abs(distance) <= tolerance)), int(np.sum(distance < -tolerance))
+        share = on / max(len(own), 1)
+        if on >= wanted and inside <= MOST_INSIDE * on and share >= EXPLAINS_MOST and _free(pose, kind, armour):
+            gaps.append(Gap(pose.centre, "unexplained", share, float(on * voxel), kind))
         elif empty >= wanted:
             section = np.pi * unit.crotch_distance**2
             gaps.append(Gap(place, "hole", float(min(1.0, empty * voxel / section)), float(empty * voxel), kind))
     return gaps
+
+
+def _settled(pose: Pose, elements: FloatArray, unit: UnitType) -> Pose:
+    """The pose after robust least squares to the (n, 3) elements, which tells a unit from rock better than one of a few orientations."""
+
+    def misfit(change: FloatArray) -> FloatArray:
+        moved = pose.perturbed(change[:3], change[3:] / unit.height)
+        return relate(moved.to_body(elements), unit).distance
+
+    if len(elements) < 6:
+        return pose
+    scale = 0.5 * EXPLAINED_HEIGHTS * unit.height
+    change = least_squares(misfit, np.zeros(6), loss="cauchy", f_scale=scale, diff_step=1e-4, x_scale=scale, max_nfev=15).x
+    return pose.perturbed(change[:3], change[3:] / unit.height)
+
+
+def _free(pose: Pose, kind: int, armour: Armour) -> bool:
+    """Whether a unit of a type has room in its pose among the others."""
+    row = np.concatenate([pose.centre, pose.rotation.ravel()])
+    near = armour.tree.query_ball_point(pose.centre, REACH_HEIGHTS * armour.height)
+    shapes = armour.units
+    return all(overlap(row, armour.poses[k], shapes[kind], shapes[armour.kinds[k]]) <= MOST_OVERLAP for k in near)
 
 
 def _packed(lists: Sequence[Sequence[int]]) -> tuple[IntArray, IntArray]:
@@ -301,9 +333,8 @@ def _fits(
     places: Any, starts: Any, neighbours: Any, poses: Any, kinds: Any, legs: Any, shapes: Any, kind: int, samples: Any, rotations: Any,
     elements: Any, element_starts: Any, near: Any, most: float, tolerance: float,
 ) -> Any:  # fmt: skip
-    """(n, 3) whether a unit fits in each place and, of the fitting orientation that the elements like best, the elements on its
-    surface and those inside it."""
-    out = np.zeros((len(places), 3))
+    """(n,) for each place the number of the orientation that fits and that the elements like best, -1 where none fits."""
+    out = np.full(len(places), -1, dtype=np.int64)
     limit = int(most * len(samples))
     for i in prange(len(places)):
         best = -1e300
@@ -342,7 +373,5 @@ def _fits(
                     break
             if entered <= limit:
                 best = on - 3 * inside
-                out[i, 0] = 1.0
-                out[i, 1] = on
-                out[i, 2] = inside
+                out[i] = r
     return out
