@@ -254,7 +254,7 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
         _samples(unit), _rotations(), elements, *_packed(tree.query_ball_point(places, reach)),
         MOST_OVERLAP, EXPLAINED_HEIGHTS * unit.height,
     )  # fmt: skip
-    gaps = []
+    gaps: list[Gap] = []
     for place, turn, empty, near in zip(places, turns, core, tree.query_ball_point(places, reach), strict=True):
         # neighbouring places of the lattice settle in one and the same pose
         known = (gap.place for gap in gaps if gap.kind == "unexplained")
