@@ -56,7 +56,8 @@ TIGHTEST = 0.05
 MOST_INSIDE = 0.08
 """Elements inside a unit, over those on its surface, above which they contradict it; as in the verification of poses."""
 EXPLAINS_MOST = 0.75
-"""Share of the points of no unit around a place that a unit there must explain: rock seen through a pore seldom fits as well."""
+"""Share of the points of no unit around a place that a unit there must explain, for rock seen through a pore seldom fits as well; and
+share of the cross-section of a unit's core that the cloud must reach into to show it empty."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -246,6 +247,7 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
     reach = float(np.hypot(unit.leg_length, unit.end_radius)) + EXPLAINED_HEIGHTS * unit.height
     tree = cKDTree(elements)
     core = tree.query_ball_point(places, unit.crotch_distance, return_length=True)
+    section = np.pi * unit.crotch_distance**2
     shapes = armour.units
     turns = _fits(
         places, *_packed(armour.tree.query_ball_point(places, REACH_HEIGHTS * armour.height)),
@@ -268,9 +270,8 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
         share = on / max(len(own), 1)
         if on >= wanted and inside <= MOST_INSIDE * on and share >= EXPLAINS_MOST and _free(pose, kind, armour):
             gaps.append(Gap(pose.centre, "unexplained", share, float(on * voxel), kind))
-        elif empty >= wanted:
-            section = np.pi * unit.crotch_distance**2
-            gaps.append(Gap(place, "hole", float(min(1.0, empty * voxel / section)), float(empty * voxel), kind))
+        elif (reached := min(1.0, empty * voxel / section)) >= EXPLAINS_MOST:
+            gaps.append(Gap(place, "hole", float(reached), float(empty * voxel), kind))
     return gaps
 
 
