@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from .errors import InputError
 from .pose import Pose
 from .survey import Ring, SurveyUnit, inside
+from .tetrapod import END_DISC, relate
 from .tile_jobs import HALO_HEIGHTS, MARGIN_HEIGHTS, Arrays, Block, job_key, load_arrays
 from .tiles import PointCloud, Window, read_points
 from .trajectory import BeamNoise
@@ -132,7 +133,6 @@ class FitJob:
         """Arrays of the units with their adjustment, points included."""
         from .feature_points import TRIPLES, body_features
         from .gauss_helmert import AdjustmentOptions, adjust
-        from .tetrapod import END_DISC
 
         source = load_arrays(self.segmented)
         if source is None:
@@ -145,6 +145,7 @@ class FitJob:
             "sigma0": np.full(count, np.nan),
             "noise": np.full(count, np.nan),
             "n_points": np.zeros(count, dtype=np.int64),
+            "distance_median": np.full(count, np.nan),
             "n_effective": np.zeros(count),
             "observed": np.zeros((count, 5), dtype=np.bool_),
             "discs": np.zeros((count, 4), dtype=np.bool_),
@@ -179,6 +180,7 @@ class FitJob:
                 table["legs_visible"][k] = result.legs_visible
                 used = result.weights > 0
                 table["n_points"][k] = int(used.sum())
+                table["distance_median"][k] = _median_distance(points[used], result.pose, result.unit(unit))
                 features = result.pose.to_frame(body_features(result.unit(unit)))
                 for j, triple in enumerate(TRIPLES, start=1):
                     away = np.linalg.norm(points - features[j], axis=1)
@@ -198,7 +200,7 @@ class FitJob:
         }
 
 
-SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit")
+SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported")
 """Arrays of a block's units before adjustment, one row per unit."""
 
 
@@ -295,6 +297,7 @@ def _found(cloud: PointCloud, number: int, unit: SurveyUnit, seed: int) -> tuple
         [u.legs_visible for u in result.units],
         [u.status for u in result.units],
         [u.misfit for u in result.units],
+        [u.supported for u in result.units],
     )
     labels = np.full(len(cloud), -1, dtype=np.int64)
     labels[near] = result.labels
@@ -357,7 +360,7 @@ def _given(cloud: PointCloud, given: Sequence[tuple[float, ...]], units: Sequenc
         labels[nearer], best[nearer] = members[own[nearer]], np.abs(distance[nearer])
     count = len(rows)
     unknown = [float("nan")] * count
-    return _table(list(poses), list(kinds), unknown, unknown, [0] * count, ["found"] * count, unknown), labels
+    return _table(list(poses), list(kinds), unknown, unknown, [0] * count, ["found"] * count, unknown, unknown), labels
 
 
 def _table(
@@ -368,6 +371,7 @@ def _table(
     legs: Sequence[int],
     statuses: Sequence[str],
     misfits: Sequence[float],
+    supported: Sequence[float],
 ) -> dict[str, NDArray[Any]]:
     return {
         "poses": np.array(poses, dtype=np.float64).reshape(-1, 12),
@@ -377,7 +381,13 @@ def _table(
         "legs_visible": np.array(legs, dtype=np.int64),
         "status": np.array(statuses, dtype="U12"),
         "misfit": np.array(misfits, dtype=np.float64),
+        "supported": np.array(supported, dtype=np.float64),
     }
+
+
+def _median_distance(points: FloatArray, pose: Pose, unit: UnitType) -> float:
+    """Median absolute distance of (n, 3) points to the surface of a unit, metres; nan without points."""
+    return float(np.median(np.abs(relate(pose.to_body(points), unit).distance))) if len(points) else float("nan")
 
 
 def _row(pose: Pose) -> FloatArray:

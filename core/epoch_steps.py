@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from .control import Transformation
 from .displacement import grades_from
 from .errors import InputError
+from .gap_rows import gap_rows
 from .geopackage import check_output, from_upper_triangle, replace_durably, temporary_beside
 from .pose import Pose
 from .result_rows import covariance_fields, feature_rows
@@ -23,12 +24,14 @@ from .survey import SECTIONS
 from .tracking import FittedUnit, TrackedEpoch, track
 from .tracking_tables import TableOptions, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
 from .unit_types import UnitType
-from .workflow import Feedback, crs_of_layer, read_units, write_result
+from .workflow import Feedback, crs_of_layer, read_units, state_quality, write_result
 
 if TYPE_CHECKING:
     import laspy
 
 FloatArray = NDArray[np.float64]
+FROM_FIT = ("legs_visible", "coverage", "score", "sigma0", "n_points", "distance_median", "supported")
+"""Fields of ``units`` that tracking takes over."""
 NOT_FITTED = "Give a result of tetratrack fit."
 
 
@@ -75,13 +78,16 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
         if row is None:
             return {}
         known = fits[labels[epoch]][row]
-        return {name: known.get(name) for name in ("legs_visible", "coverage", "score", "sigma0", "n_points")}
+        return {name: known.get(name) for name in FROM_FIT}
 
     unit_rows, points = unit_tables(result, epochs, types, names, origin, from_fit, feature_rows, covariance_fields)
     moved, other = displacement_rows(result, epochs, types, names, options)
     feedback.check()
+    gaps = gap_rows(unit_rows, [(epoch.label, epoch.time) for epoch in epochs], types)
+    state_quality(unit_rows, types, labels, feedback)
     tables = {
         "units": unit_rows,
+        "gaps": gaps,
         "feature_points": points,
         "displacements": moved,
         "displacements_other": other,

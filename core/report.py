@@ -44,7 +44,7 @@ Translate = Callable[[str], str]
 
 TEMPLATES = Path(__file__).parent / "templates"
 CATALOGUES = Path(__file__).resolve().parents[1] / "i18n"
-SECTIONS = ("summary", "map", "displacements", "damage", "worst", "check", "control", "decisions", "method")
+SECTIONS = ("summary", "map", "displacements", "damage", "worst", "quality", "check", "control", "decisions", "method")
 """Sections in their order, each the template ``section_<name>.html``."""
 WORST = 8
 
@@ -135,6 +135,11 @@ class ReportData:
     settings: Mapping[str, Any]
     written: datetime
     software: str
+
+    @property
+    def qualities(self) -> dict[str, Row]:
+        """Summary of :func:`tetratrack.core.quality.summarise_epoch` by epoch, of those that state it."""
+        return {epoch.label: epoch.settings["quality"] for epoch in self.epochs if "quality" in epoch.settings}
 
     @property
     def kept(self) -> list[UnitRow]:

@@ -111,11 +111,12 @@ def unit_rows(epoch: EpochUnits, ids: Sequence[str]) -> list[Row]:
             "legs_visible": table["legs_visible"][k],
             "coverage": table["coverage"][k],
             "score": table["score"][k],
+            "supported": table["supported"][k],
             "status": str(table["status"][k]),
             "geometry": pose.centre,
         }
         if fitted and np.isfinite(table["covariance"][k]).all():
-            row |= covariance_fields(table["covariance"][k]) | {"sigma0": table["sigma0"][k], "n_points": table["n_points"][k]}
+            row |= covariance_fields(table["covariance"][k]) | {name: table[name][k] for name in ("sigma0", "n_points", "distance_median")}
         rows.append(row)
     return rows
 

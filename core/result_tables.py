@@ -34,6 +34,7 @@ SELECT_ALL: Mapping[str, str] = {
     "displacements": "SELECT * FROM displacements",
     "displacements_other": "SELECT * FROM displacements_other",
     "control_residuals": "SELECT * FROM control_residuals",
+    "gaps": "SELECT * FROM gaps",
     "check_residuals": "SELECT * FROM check_residuals",
     "epochs": "SELECT * FROM epochs",
     "epoch_pairs": "SELECT * FROM epoch_pairs",

@@ -18,6 +18,12 @@ FEATURES = ("centre", "f123", "f124", "f134", "f234")
 STATUSES = ("found", "uncertain", "new", "relocated", "lost", "unseen")
 """Values of ``units.status``; rows with ``lost`` and ``unseen`` have no geometry."""
 
+GAP_KINDS = ("lost", "unseen", "unexplained", "hole")
+"""Values of ``gaps.kind``."""
+
+PLACEHOLDER = "placeholder"
+"""Value of ``gaps.status``: a unit is likely there, or should be, and nobody has decided."""
+
 CLASSES = ("stable", "moved", "rotated", "lost", "new", "relocated", "uncertain")
 """Values of ``displacements.class``."""
 
@@ -136,6 +142,45 @@ LAYERS: dict[str, Layer] = {
                 Field("coverage", "real", "share of the unit's surface that holds points, 0 to 1"),
                 Field("score", "real", "share of the predicted visible surface that is supported by points, 0 to 1"),
                 Field("status", "text", "found, uncertain, new, relocated, lost or unseen"),
+                Field("distance_median", "real", "median absolute distance of the points used to the adjusted surface", "m"),
+                Field(
+                    "supported",
+                    "real",
+                    "share of the surface elements seen near the predicted surface that lie on it with an agreeing normal, 0 to 1; surface "
+                    "that is hidden or out of sight counts neither way",
+                ),
+                Field("nearest_centre", "real", "distance to the nearest other unit's centre in the epoch; below 0.5 H: a duplicate", "m"),
+                Field("overlap_share", "real", "largest share of the unit's volume inside another unit that counts in the epoch, 0 to 1"),
+            ),
+        ),
+        Layer(
+            "gaps",
+            "PointZ",
+            "Places where a unit is likely missing in the result, one row per place and epoch",
+            (
+                _EPOCH,
+                _EPOCH_TIME,
+                Field(
+                    "kind",
+                    "text",
+                    "lost (the unit's place is seen to be empty), unseen (known from another epoch, hidden or missed in this one), "
+                    "unexplained (points of no unit lie on the surface of a unit that fits there) or hole (a unit fits there, and the "
+                    "cloud reaches into its space)",
+                ),
+                Field("status", "text", "placeholder"),
+                Field("unit_id", "text", "name of the physical unit, where another epoch shows it"),
+                Field("unit_type", "text", "type of the unit that fits there"),
+                Field("height", "real", "height H of that unit", "m"),
+                Field("radius", "real", "radius of a sphere about the place that holds that unit", "m"),
+                Field(
+                    "score",
+                    "real",
+                    "0 to 1; lost and unseen: 1; unexplained: share of the points of no unit around the place that lie on the unit's "
+                    "surface; hole: share of the cross-section of the unit's core that the cloud reaches into",
+                ),
+                Field("area", "real", "surface of no unit that the cloud shows on the unit (unexplained) or within its core (hole)", "m2"),
+                Field("nearest_units", "text", "JSON list of the unit_id of the three nearest units"),
+                Field("nearest_centre", "real", "distance to the nearest unit's centre", "m"),
             ),
         ),
         Layer(

@@ -74,6 +74,8 @@ class DetectedUnit:
         Root mean square distance of the supporting surface elements, metres.
     interpenetration
         Largest share of its volume that lies inside a unit that was found with a higher score.
+    supported
+        Share of the surface elements seen near the predicted surface that lie on it with an agreeing normal, 0 to 1.
     """
 
     pose: Pose
@@ -83,6 +85,7 @@ class DetectedUnit:
     status: Status
     misfit: float
     interpenetration: float
+    supported: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -223,6 +226,7 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
             "found" if scores[k] >= FOUND_SCORE and not entered[k] else "uncertain",
             float(table[k, RMS]),
             float(shared[k]),
+            float(table[k, SUPPORT] / max(table[k, REACHED], 1)),
         )
         for k in kept
     )

@@ -145,15 +145,16 @@ def claim(pose: FloatArray, points: FloatArray, active: NDArray[np.bool_], grid:
     active[near[np.abs(relation.distance) < 2.5 * tolerance]] = False
 
 
-def overlap(a: FloatArray, b: FloatArray, unit: UnitType) -> float:
-    """Share of the volume of unit ``a`` that lies inside unit ``b``; poses (12,)."""
-    samples = _solid_samples(unit)
+def overlap(a: FloatArray, b: FloatArray, unit: UnitType, other: UnitType | None = None) -> float:
+    """Share of the volume of unit ``a`` that lies inside unit ``b``, of the same type unless ``other`` is given; poses (12,)."""
+    samples = solid_samples(unit)
+    shape = other or unit
     inside = samples @ a[3:].reshape(3, 3).T + a[:3] - b[:3]
-    return float(_share_inside(inside @ b[3:].reshape(3, 3), unit.leg_directions, unit.radius, unit.gradient, unit.leg_length))
+    return float(_share_inside(inside @ b[3:].reshape(3, 3), shape.leg_directions, shape.radius, shape.gradient, shape.leg_length))
 
 
 @lru_cache(maxsize=32)
-def _solid_samples(unit: UnitType) -> FloatArray:
+def solid_samples(unit: UnitType) -> FloatArray:
     """About 3000 points on a regular lattice inside the solid, body frame."""
     step = (unit.volume / 3000) ** (1 / 3)
     half = unit.leg_length * 1.2

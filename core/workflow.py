@@ -568,6 +568,8 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
     Cancelled
         The user ended the run; nothing is written.
     """
+    from .gap_rows import gap_rows, look_into_tiles
+
     check_output(output)
     start = SHARES["read"]
     plans = plan_survey(survey, feedback.part(0, start))
@@ -581,6 +583,11 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         fitted, calibration = find_and_fit(survey, plans, record, runner, feedback.part(start, start := start + SHARES["fit"]))
         feedback.progress(start, "tracking units")
         tables, summary = track_tables(survey, fitted, fitted[0].units, registrations, feedback)
+        feedback.progress(1 - 3 * SHARES["write"], "looking for gaps")
+        when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
+        look = look_into_tiles(survey, plans, fitted[0].units, registrations, feedback)
+        tables["gaps"] = gap_rows(tables["units"], when, fitted[0].units, look)
+        qualities = state_quality(tables["units"], fitted[0].units, [label for label, _ in when], feedback, tables["gaps"])
         tables |= {"control_residuals": [], "epochs": []}
         tables["check_residuals"], check_rmse = check_tables(survey, tables["feature_points"], feedback)
         for epoch in fitted:
@@ -598,7 +605,7 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
                     record,
                     None if registration is None else registration.transformation.as_record(),
                     None if registration is None else registration.sigma0,
-                    summary["epochs"][label] | {"calibration": calibration},
+                    summary["epochs"][label] | {"calibration": calibration, "quality": qualities[label]},
                 )
             )
         feedback.check()
@@ -606,6 +613,28 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         write_result(output, survey.crs, tables)
     feedback.progress(1.0, "done")
     return {"output": str(output), "units": summary["units"], "moved": summary["moved"], "check_rmse": check_rmse}
+
+
+def state_quality(
+    rows: Sequence[dict[str, Any]],
+    units: Sequence[UnitType],
+    labels: Sequence[str],
+    feedback: Feedback,
+    gaps: Sequence[Mapping[str, Any]] | None = None,
+) -> dict[str, dict[str, Any]]:
+    """Fill what rows of ``units`` say of their neighbours, log each epoch's summary, and return the summaries by label.
+
+    ``gaps`` are the rows of that layer, None where gaps were not looked for.
+    """
+    from .quality import add_neighbours, describe, summarise_epoch
+
+    add_neighbours(rows, units)
+    summaries = {}
+    for label in labels:
+        count = None if gaps is None else sum(row["epoch"] == label for row in gaps)
+        summaries[label] = summarise_epoch([row for row in rows if row["epoch"] == label], count)
+        feedback.info(describe(label, summaries[label]))
+    return summaries
 
 
 def check_tables(survey: Survey, points: Sequence[Mapping[str, Any]], feedback: Feedback) -> tuple[list[dict[str, Any]], float | None]:
@@ -656,7 +685,7 @@ def track_tables(
         if row is None:
             return {}
         table = fitted[epoch].table
-        fields = ("legs_visible", "coverage", "score", "sigma0")
+        fields = ("legs_visible", "coverage", "score", "sigma0", "distance_median", "supported")
         return {name: table[name][row] for name in fields} | {"observed": [bool(v) for v in table["observed"][row]]}
 
     unit_rows_, points = unit_tables(result, placed, units, names, origin, from_fit, feature_rows, covariance_fields)
@@ -755,7 +784,9 @@ def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Fee
         tables: Tables = {"units": [], "epochs": []}
         for epoch in epochs:
             tables["units"] += unit_rows(epoch, provisional_ids(len(epoch)))
-            tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {}))
+        qualities = state_quality(tables["units"], epochs[0].units, [epoch.plan.epoch.label for epoch in epochs], feedback)
+        for epoch in epochs:
+            tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {"quality": qualities[epoch.plan.epoch.label]}))
         feedback.check()
         write_result(output, survey.crs, tables)
     return {"output": str(output), "units": sum(int((e.table["status"] == "found").sum()) for e in epochs), "epochs": len(epochs)}
@@ -775,7 +806,10 @@ def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOption
             tables["units"] += unit_rows(epoch, ids)
             for k, name in enumerate(ids):
                 tables["feature_points"] += fitted_feature_rows(epoch, k, name)
-            tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {"calibration": calibration}))
+        qualities = state_quality(tables["units"], epochs[0].units, [epoch.plan.epoch.label for epoch in epochs], feedback)
+        for epoch in epochs:
+            extra = {"calibration": calibration, "quality": qualities[epoch.plan.epoch.label]}
+            tables["epochs"].append(epoch_row(epoch.plan, record, None, None, extra))
         feedback.check()
         write_result(output, survey.crs, tables)
     return {"output": str(output), "units": sum(len(e) for e in epochs), "epochs": len(epochs)}

@@ -1040,6 +1040,26 @@
     </message>
     <message>
       <location filename="../plugin/layers.py" />
+      <source>lost: the place is empty</source>
+      <translation>perdida: el lugar está vacío</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>unseen: known from another epoch</source>
+      <translation>no vista: conocida de otra época</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>unexplained points where a unit fits</source>
+      <translation>puntos sin explicar donde cabe una pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>hole where a unit fits</source>
+      <translation>hueco donde cabe una pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
       <source>arrow of 10 mm: 50 mm; ellipse: 95 %</source>
       <translation>flecha de 10 mm: 50 mm; elipse: 95 %</translation>
     </message>
@@ -1102,6 +1122,11 @@
       <location filename="../plugin/layers.py" />
       <source>check point</source>
       <translation>punto de comprobación</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Gaps</source>
+      <translation>Huecos</translation>
     </message>
     <message>
       <location filename="../plugin/layers.py" />
@@ -2342,6 +2367,41 @@
       <location filename="../core/section_method.html" />
       <source>Written {moment} by {software}.</source>
       <translation>Escrito el {moment} por {software}.</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Quality of the units</source>
+      <translation>Calidad de las piezas</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Uncertain units</source>
+      <translation>Piezas inciertas</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Points to surface, median (mm)</source>
+      <translation>Puntos a la superficie, mediana (mm)</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Largest overlap</source>
+      <translation>Mayor solape</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Pairs too close</source>
+      <translation>Pares demasiado cercanos</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Overlap is the share of a unit's volume inside another one; two solid units cannot overlap, nor can their centres come closer than half a height. A gap is a place where a unit is likely missing in the result; the layer gaps shows them.</source>
+      <translation>El solape es la parte del volumen de una pieza dentro de otra; dos piezas sólidas no pueden solaparse ni acercar sus centros a menos de media altura. Un hueco es un lugar donde probablemente falta una pieza en el resultado; la capa gaps los muestra.</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>The result was made by a version that did not state the quality of its units.</source>
+      <translation>El resultado es de una versión que no indicaba la calidad de sus piezas.</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />

@@ -1040,6 +1040,26 @@
     </message>
     <message>
       <location filename="../plugin/layers.py" />
+      <source>lost: the place is empty</source>
+      <translation>消失：その場所は空</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>unseen: known from another epoch</source>
+      <translation>未確認：他の時期に存在</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>unexplained points where a unit fits</source>
+      <translation>ブロックが収まる場所の未説明の点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>hole where a unit fits</source>
+      <translation>ブロックが収まる空隙</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
       <source>arrow of 10 mm: 50 mm; ellipse: 95 %</source>
       <translation>矢印 10 mm = 50 mm、楕円 = 95 %</translation>
     </message>
@@ -1102,6 +1122,11 @@
       <location filename="../plugin/layers.py" />
       <source>check point</source>
       <translation>検証点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Gaps</source>
+      <translation>欠落箇所</translation>
     </message>
     <message>
       <location filename="../plugin/layers.py" />
@@ -2342,6 +2367,41 @@
       <location filename="../core/section_method.html" />
       <source>Written {moment} by {software}.</source>
       <translation>{moment} に {software} が作成。</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Quality of the units</source>
+      <translation>ブロックの品質</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Uncertain units</source>
+      <translation>不確かなブロック</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Points to surface, median (mm)</source>
+      <translation>点から表面までの距離の中央値（mm）</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Largest overlap</source>
+      <translation>最大の重なり</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Pairs too close</source>
+      <translation>近すぎる組</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Overlap is the share of a unit's volume inside another one; two solid units cannot overlap, nor can their centres come closer than half a height. A gap is a place where a unit is likely missing in the result; the layer gaps shows them.</source>
+      <translation>重なりは、ブロックの体積のうち他のブロックの内部にある割合です。固体のブロック同士は重ならず、中心同士が高さの半分より近づくこともありません。欠落箇所は、結果にブロックが欠けている可能性が高い場所で、レイヤ gaps に示されます。</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>The result was made by a version that did not state the quality of its units.</source>
+      <translation>この結果は、ブロックの品質を記録しない版で作成されました。</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />

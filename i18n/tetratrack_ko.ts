@@ -1040,6 +1040,26 @@
     </message>
     <message>
       <location filename="../plugin/layers.py" />
+      <source>lost: the place is empty</source>
+      <translation>유실: 자리가 비어 있음</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>unseen: known from another epoch</source>
+      <translation>보이지 않음: 다른 시기에 알려짐</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>unexplained points where a unit fits</source>
+      <translation>블록이 들어맞는 자리의 설명되지 않은 점</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>hole where a unit fits</source>
+      <translation>블록이 들어맞는 빈 곳</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
       <source>arrow of 10 mm: 50 mm; ellipse: 95 %</source>
       <translation>화살표 10 mm = 50 mm, 타원 = 95 %</translation>
     </message>
@@ -1102,6 +1122,11 @@
       <location filename="../plugin/layers.py" />
       <source>check point</source>
       <translation>검사점</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Gaps</source>
+      <translation>결손 위치</translation>
     </message>
     <message>
       <location filename="../plugin/layers.py" />
@@ -2342,6 +2367,41 @@
       <location filename="../core/section_method.html" />
       <source>Written {moment} by {software}.</source>
       <translation>{moment}에 {software}(으)로 작성.</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Quality of the units</source>
+      <translation>블록의 품질</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Uncertain units</source>
+      <translation>불확실한 블록</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Points to surface, median (mm)</source>
+      <translation>점에서 표면까지 거리, 중앙값(mm)</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Largest overlap</source>
+      <translation>최대 겹침</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Pairs too close</source>
+      <translation>너무 가까운 쌍</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Overlap is the share of a unit's volume inside another one; two solid units cannot overlap, nor can their centres come closer than half a height. A gap is a place where a unit is likely missing in the result; the layer gaps shows them.</source>
+      <translation>겹침은 한 블록의 부피 중 다른 블록 안에 있는 비율입니다. 단단한 두 블록은 겹칠 수 없고 중심이 높이의 절반보다 가까워질 수도 없습니다. 결손 위치는 결과에 블록이 빠졌을 가능성이 큰 곳이며 레이어 gaps에 표시됩니다.</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>The result was made by a version that did not state the quality of its units.</source>
+      <translation>이 결과는 블록의 품질을 기록하지 않는 버전으로 만들어졌습니다.</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />

@@ -1040,6 +1040,26 @@
     </message>
     <message>
       <location filename="../plugin/layers.py" />
+      <source>lost: the place is empty</source>
+      <translation>perdido: o lugar está vazio</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>unseen: known from another epoch</source>
+      <translation>não visto: conhecido de outra época</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>unexplained points where a unit fits</source>
+      <translation>pontos inexplicados onde cabe um bloco</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>hole where a unit fits</source>
+      <translation>buraco onde cabe um bloco</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
       <source>arrow of 10 mm: 50 mm; ellipse: 95 %</source>
       <translation>seta de 10 mm: 50 mm; elipse: 95 %</translation>
     </message>
@@ -1102,6 +1122,11 @@
       <location filename="../plugin/layers.py" />
       <source>check point</source>
       <translation>ponto de verificação</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Gaps</source>
+      <translation>Lacunas</translation>
     </message>
     <message>
       <location filename="../plugin/layers.py" />
@@ -2342,6 +2367,41 @@
       <location filename="../core/section_method.html" />
       <source>Written {moment} by {software}.</source>
       <translation>Escrito em {moment} por {software}.</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Quality of the units</source>
+      <translation>Qualidade dos blocos</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Uncertain units</source>
+      <translation>Blocos incertos</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Points to surface, median (mm)</source>
+      <translation>Pontos à superfície, mediana (mm)</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Largest overlap</source>
+      <translation>Maior sobreposição</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Pairs too close</source>
+      <translation>Pares demasiado próximos</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Overlap is the share of a unit's volume inside another one; two solid units cannot overlap, nor can their centres come closer than half a height. A gap is a place where a unit is likely missing in the result; the layer gaps shows them.</source>
+      <translation>A sobreposição é a parte do volume de um bloco dentro de outro; dois blocos sólidos não se podem sobrepor, nem os seus centros ficar a menos de meia altura. Uma lacuna é um lugar onde provavelmente falta um bloco no resultado; a camada gaps mostra-as.</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>The result was made by a version that did not state the quality of its units.</source>
+      <translation>O resultado foi feito por uma versão que não indicava a qualidade dos seus blocos.</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />

@@ -1040,6 +1040,26 @@
     </message>
     <message>
       <location filename="../plugin/layers.py" />
+      <source>lost: the place is empty</source>
+      <translation>丢失：该位置为空</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>unseen: known from another epoch</source>
+      <translation>未见：其他时期已知</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>unexplained points where a unit fits</source>
+      <translation>可容纳块体处的未解释点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>hole where a unit fits</source>
+      <translation>可容纳块体的空洞</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
       <source>arrow of 10 mm: 50 mm; ellipse: 95 %</source>
       <translation>箭头 10 mm = 50 mm;椭圆 = 95 %</translation>
     </message>
@@ -1102,6 +1122,11 @@
       <location filename="../plugin/layers.py" />
       <source>check point</source>
       <translation>检查点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/layers.py" />
+      <source>Gaps</source>
+      <translation>缺失位置</translation>
     </message>
     <message>
       <location filename="../plugin/layers.py" />
@@ -2342,6 +2367,41 @@
       <location filename="../core/section_method.html" />
       <source>Written {moment} by {software}.</source>
       <translation>由 {software} 写于 {moment}。</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Quality of the units</source>
+      <translation>块体质量</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Uncertain units</source>
+      <translation>不确定的块体</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Points to surface, median (mm)</source>
+      <translation>点到表面距离中位数（mm）</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Largest overlap</source>
+      <translation>最大重叠</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Pairs too close</source>
+      <translation>距离过近的对</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>Overlap is the share of a unit's volume inside another one; two solid units cannot overlap, nor can their centres come closer than half a height. A gap is a place where a unit is likely missing in the result; the layer gaps shows them.</source>
+      <translation>重叠是块体体积中位于另一块体内部的比例；两个实体块体不可能重叠，其中心距离也不可能小于高度的一半。缺失位置是结果中很可能缺少块体的地方，见图层 gaps。</translation>
+    </message>
+    <message>
+      <location filename="../core/section_quality.html" />
+      <source>The result was made by a version that did not state the quality of its units.</source>
+      <translation>该结果由不记录块体质量的版本生成。</translation>
     </message>
     <message>
       <location filename="../core/section_summary.html" />

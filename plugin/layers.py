@@ -32,6 +32,7 @@ DRAWING_ORDER = (
     "check_residuals",
     "control_residuals",
     "feature_points",
+    "gaps",
     "units",
     "epochs",
     "reviews",
@@ -50,6 +51,7 @@ def layer_title(layer: str) -> str:
     """Name of a layer of the result in the layer tree."""
     return {
         "units": tr("Units"),
+        "gaps": tr("Gaps"),
         "feature_points": tr("Feature points"),
         "displacements": tr("Displacements"),
         "displacements_other": tr("Displacements, other pairs and datum"),
@@ -100,6 +102,10 @@ def legend_label(label: str) -> str:
         "uncertain": tr("uncertain"),
         "new": tr("new"),
         "relocated": tr("relocated"),
+        "lost: the place is empty": tr("lost: the place is empty"),
+        "unseen: known from another epoch": tr("unseen: known from another epoch"),
+        "unexplained points where a unit fits": tr("unexplained points where a unit fits"),
+        "hole where a unit fits": tr("hole where a unit fits"),
         "arrow of 10 mm: 50 mm; ellipse: 95 %": tr("arrow of 10 mm: 50 mm; ellipse: 95 %"),
         "below the detection limit": tr("below the detection limit"),
         "significant, up to 50 mm": tr("significant, up to 50 mm"),

@@ -239,6 +239,28 @@ def style_units(layer: QgsVectorLayer) -> None:
     instants(layer, "epoch_time")
 
 
+def style_gaps(layer: QgsVectorLayer) -> None:
+    """Places of missing units by kind: a broken circle as large as the unit, and a cross at its centre."""
+    entries = []
+    for label, kind, colour in (
+        ("lost: the place is empty", "lost", RED),
+        ("unseen: known from another epoch", "unseen", GREY),
+        ("unexplained points where a unit fits", "unexplained", ORANGE),
+        ("hole where a unit fits", "hole", PURPLE),
+    ):
+        ring = QgsSimpleLineSymbolLayer(QColor(colour), 0.5, Qt.PenStyle.DashLine)
+        cross = QgsMarkerSymbol.createSimple({"name": "cross", "size": "2.4", "outline_color": colour, "outline_width": "0.5"})
+        circle = generated('boundary(buffer($geometry, "radius", 16))', symbol_of(QgsLineSymbol(), ring))
+        entries.append((label, f"\"kind\" = '{kind}'", symbol_of(QgsMarkerSymbol(), circle, cross.symbolLayer(0).clone())))
+    layer.setRenderer(rules(*entries))
+    layer.setRenderer3D(sphere(ORANGE, 0.15))
+    layer.setMapTipTemplate(
+        '<b>[% "kind" %]</b> [% coalesce("unit_id", \'\') %] [% "epoch" %]<br>[% "status" %], score [% round("score", 2) %]<br>'
+        '[% "nearest_units" %]'
+    )
+    instants(layer, "epoch_time")
+
+
 def style_feature_points(layer: QgsVectorLayer) -> None:
     """Observed and derived feature points with their ellipses."""
     entries = []
@@ -338,7 +360,7 @@ def main() -> None:
     engine.load_package()
     application = QgsApplication([], False)
     application.initQgis()
-    for name in ("units", "feature_points", "displacements", "displacements_other", "control_residuals", "check_residuals"):
+    for name in ("units", "gaps", "feature_points", "displacements", "displacements_other", "control_residuals", "check_residuals"):
         message, done = styled(name).saveNamedStyle(str(STYLES / f"{name}.qml"), CATEGORIES)
         if not done:
             raise SystemExit(message)

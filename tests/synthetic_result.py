@@ -92,6 +92,7 @@ def write_result(
         row = {"epoch_from": start, "epoch_to": stop, "units": len(made), "stable_units": int(0.8 * len(made)), "global_p_value": 0.43}
         row |= {"common_e": 0.002, "common_n": 0.003, "common_h": -0.004, "common_p_value": 0.21, "geom": ORIGIN}
         rows["epoch_pairs"].append(row)
+    rows["gaps"] += [_gap_row(unit, epochs, labels[-1], stamps[-1]) for unit in made if unit.fate in ("lost", "unseen")]
     _control(rows, labels, rng)
     _check(rows, made, labels, rng)
     for e in range(epochs):
@@ -178,6 +179,19 @@ def _unit_row(unit: SyntheticUnit, e: int, label: str, stamp: str, present: list
     row |= {"qx": q[0], "qy": q[1], "qz": q[2], "qw": q[3], "sd_e": 0.004, "sd_n": 0.004, "sd_h": 0.003, "sd_rotation_deg": 0.2}
     row |= {"unit_type": "tetrapod", "sigma0": 1.0, "n_points": int(4000 * coverage), "legs_visible": 3, "coverage": coverage, "score": 0.8}
     return row | {"geom": unit.centres[e]}
+
+
+def _gap_row(unit: SyntheticUnit, epochs: int, label: str, stamp: str) -> dict[str, Any]:
+    row = {
+        "epoch": label,
+        "epoch_time": stamp,
+        "kind": unit.fate,
+        "status": "placeholder",
+        "unit_id": unit.unit_id,
+        "unit_type": "tetrapod",
+    }
+    row |= {"height": HEIGHT, "radius": 0.66 * HEIGHT, "score": 1.0, "nearest_units": "[]", "nearest_centre": 0.9 * HEIGHT}
+    return row | {"geom": unit.centres[epochs - 2]}
 
 
 def _feature_row(unit: SyntheticUnit, e: int, f: int, label: str, stamp: str) -> dict[str, Any]:

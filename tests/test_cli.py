@@ -243,6 +243,7 @@ def test_interrupt_leaves_nothing(repository: Path, tmp_path: Path, kind: signal
 def test_layers_of_the_interface_are_all_described() -> None:
     wanted = {
         "units",
+        "gaps",
         "feature_points",
         "displacements",
         "displacements_other",

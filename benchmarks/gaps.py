@@ -1,0 +1,101 @@
+"""How many units that a run did not find have a gap near, and how many gaps stand where no unit is missing.
+
+    python benchmarks/gaps.py SURVEY=RESULT...
+
+SURVEY is a folder with survey.toml and truth/, RESULT what ``tetratrack run`` made of it; gaps are looked for anew. A gap is right when
+a unit that the epoch's result lacks, or one taken away since the first epoch, lies within 0.5 H of it. Each epoch is judged twice: with
+all it knows from the other epochs, and from its own cloud and packing alone.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from ground_truth import CENTRE_TOLERANCE
+from numpy.typing import NDArray
+from tetratrack.core.gap_rows import gap_rows, look_into_tiles
+from tetratrack.core.gaps import Gap
+from tetratrack.core.quality import ACCEPTED
+from tetratrack.core.result_tables import read_layer_rows
+from tetratrack.core.survey import read_survey
+from tetratrack.core.workflow import Feedback, plan_survey, register_epochs
+
+FloatArray = NDArray[np.float64]
+NEAR = 0.5
+"""A gap is right within this many heights of a missing unit."""
+
+
+def missing_units(folder: Path, label: str, labels: Sequence[str], found: FloatArray, height: float) -> tuple[FloatArray, FloatArray]:
+    """(m, 3) centres of true units of an epoch without a pose near, and (g, 3) last centres of those taken away before it."""
+    with (folder / "truth" / "units.csv").open(newline="", encoding="utf-8") as stream:
+        rows = list(csv.DictReader(stream))
+    place = {(row["unit_id"], row["epoch"]): np.array([float(row[k]) for k in "ENH"]) for row in rows if row["E"]}
+    missed = [c for (_, epoch), c in place.items() if epoch == label and not _near(c, found, CENTRE_TOLERANCE * height)]
+    earlier = labels[: labels.index(label)][::-1]
+    gone = [row["unit_id"] for row in rows if row["epoch"] == label and row["status"] == "removed"]
+    left = [next(place[unit, epoch] for epoch in earlier if (unit, epoch) in place) for unit in gone]
+    return np.array(missed).reshape(-1, 3), np.array(left).reshape(-1, 3)
+
+
+def tally(places: FloatArray, missed: FloatArray, gone: FloatArray, height: float) -> list[int]:
+    """Missed units with a gap near, units taken away with one, and gaps near neither."""
+    both = np.vstack([missed, gone])
+    hits = [sum(_near(centre, places, NEAR * height) for centre in centres) for centres in (missed, gone)]
+    return [*hits, sum(not _near(place, both, NEAR * height) for place in places)]
+
+
+def judge(folder: Path, result: Path) -> list[str]:
+    """Lines of the table for one survey."""
+    survey = read_survey(folder / "survey.toml")
+    height = survey.unit.height
+    plans = plan_survey(survey)
+    units = tuple(unit.type for unit in survey.units)
+    look = look_into_tiles(survey, plans, units, register_epochs(survey, Feedback()), Feedback())
+    rows: list[Mapping[str, Any]] = [row | {"geometry": row["geom"]} for row in read_layer_rows(result, "units")]
+    when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
+    labels = [label for label, _ in when]
+    seen: dict[int, list[Gap]] = {}
+
+    def once(number: int, placed: Sequence[Mapping[str, Any]], origin: FloatArray) -> list[Gap]:
+        seen[number] = look(number, placed, origin)
+        return seen[number]
+
+    gaps = gap_rows(rows, when, units, once)
+    lines = []
+    for number, label in enumerate(labels):
+        own = [row for row in rows if row["epoch"] == label and row["geometry"] is not None]
+        centres = np.array([row["geometry"] for row in own])
+        missed, gone = missing_units(folder, label, labels, centres, height)
+        origin = np.round(centres.mean(axis=0))
+        cells = [str(sum(row["status"] in ACCEPTED for row in own)), str(len(missed)), str(len(gone))]
+        for places in ([row["geometry"] for row in gaps if row["epoch"] == label], [gap.place + origin for gap in seen[number]]):
+            cells += [str(count) for count in tally(np.array(places).reshape(-1, 3), missed, gone, height)]
+        lines.append(f"| {folder.name} {label} | {' | '.join(cells)} |")
+    return lines
+
+
+def _near(place: FloatArray, others: FloatArray, distance: float) -> bool:
+    return bool(len(others) and np.linalg.norm(others - place, axis=1).min() <= distance)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("surveys", nargs="+", metavar="SURVEY=RESULT")
+    options = parser.parse_args()
+    print("| survey | found | not found | taken away | all: not found with a gap | taken away with a gap | false gaps ", end="")
+    print("| own cloud: not found with a gap | taken away with a gap | false gaps |")
+    print("| --- " * 10 + "|")
+    for pair in options.surveys:
+        folder, _, result = pair.partition("=")
+        for line in judge(Path(folder), Path(result)):
+            print(line, flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

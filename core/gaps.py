@@ -1,0 +1,378 @@
+"""Places in one epoch where a unit is likely missing: points that no unit explains, and holes in the armour.
+
+Only places that found units surround are looked at, so that the border of the layer and its underside are never taken for gaps, and
+only where a whole unit fits between the found ones: two solids cannot interpenetrate. Loose piles have many such pores, so room alone
+says nothing. What the cloud shows that belongs to no unit must speak as well: either it lies on the surface of a unit in
+that place, or it reaches into the place's core, which is then seen to be empty, and the place is as wide as a unit's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, Literal
+
+import numpy as np
+from numba import njit, prange
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
+
+from .aggregation import assign
+from .assembly import NUMBER_OF_CELLS
+from .pose import Pose
+from .quality import CLOSEST_HEIGHTS, REACH_HEIGHTS, nearest_centres
+from .surface_elements import THINNING_RATIO, thin
+from .tetrapod import relate, surface_area
+from .unit_types import UnitType
+from .verification import FEWEST_CELLS, MOST_OVERLAP, overlap, solid_samples
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+STEP_HEIGHTS = 0.12
+"""Distance between the places tried: half the radius of a unit's core."""
+VOXEL_HEIGHTS = 2 * THINNING_RATIO
+"""Thinning of the points; coarse enough that a voxel on a surface is filled at any useful density."""
+EXPLAINED_HEIGHTS = 0.05
+"""A point nearer than this to a unit's surface, or inside it, is that unit's: noise, roughness and the fillets of the joints."""
+SURROUNDINGS_HEIGHTS = 1.5
+"""Units within this distance must surround a place: the neighbours of a unit in a pile lie at 0.7 to 1.2 H."""
+SURFACE_HEIGHTS = 3.0
+"""Units within this distance tell the run of the armour's surface."""
+WIDEST_GAP = np.radians(120)
+"""Largest angle between neighbours in the armour's surface: six around a place with one missing."""
+COARSE = 4
+"""Steps of the lattice in a cell of the first, coarse look."""
+ROTATIONS = 400
+"""Orientations tried in a place: about 15 degrees apart, modulo the unit's symmetry."""
+FIT_SAMPLES = 300
+FEWEST_AROUND = 4
+"""Units that must stand around a place."""
+TIGHTEST = 0.05
+"""Share of the epoch's units that may stand closer to their nearest neighbour than a missing one would."""
+MOST_INSIDE = 0.08
+"""Elements inside a unit, over those on its surface, above which they contradict it; as in the verification of poses."""
+EXPLAINS_MOST = 0.75
+"""Share of the points of no unit around a place that a unit there must explain, for rock seen through a pore seldom fits as well; and
+share of the cross-section of a unit's core that the cloud must reach into to show it empty."""
+
+
+@dataclass(frozen=True, eq=False)
+class Gap:
+    """A place where a unit is likely missing.
+
+    Attributes
+    ----------
+    place
+        (3,) metres, where its centre would be.
+    kind
+        ``unexplained`` or ``hole``; see ``schema``.
+    score
+        0 to 1.
+    area
+        Surface of no unit that speaks for it, m2.
+    unit
+        Type of unit that fits.
+    """
+
+    place: FloatArray
+    kind: Literal["unexplained", "hole"]
+    score: float
+    area: float
+    unit: int
+
+
+@dataclass(frozen=True, eq=False)
+class Armour:
+    """The units of one epoch that fill space, and how they are packed.
+
+    Attributes
+    ----------
+    poses
+        (k, 12) centre in metres of a reduced frame and rotation by rows.
+    kinds, units
+        (k,) index of each unit's type, and the types.
+    tree
+        Of the centres.
+    closest
+        Distance in metres that a missing unit keeps from its neighbours, as nearly all units of the epoch do.
+    """
+
+    poses: FloatArray
+    kinds: IntArray
+    units: tuple[UnitType, ...]
+    tree: cKDTree
+    closest: float
+
+    @property
+    def height(self) -> float:
+        """Largest height of a unit, metres."""
+        return max(unit.height for unit in self.units)
+
+
+def armour_of(poses: FloatArray, kinds: IntArray, units: Sequence[UnitType]) -> Armour | None:
+    """The packing of (k, 12) poses of the types ``kinds``; None where there are too few units to surround anything."""
+    if len(poses) < FEWEST_AROUND:
+        return None
+    centres = np.ascontiguousarray(poses[:, :3])
+    closest = max(CLOSEST_HEIGHTS * max(unit.height for unit in units), float(np.quantile(nearest_centres(centres), TIGHTEST)))
+    return Armour(poses, kinds, tuple(units), cKDTree(centres), closest)
+
+
+def surrounded(places: FloatArray, tree: cKDTree, height: float) -> NDArray[np.bool_]:
+    """(n,) whether units stand around (n, 3) places on all sides in the armour's surface, and none-too-high nor too low for it.
+
+    Parameters
+    ----------
+    places
+        Metres, frame of ``tree``.
+    tree
+        Of the units' centres.
+    height
+        H, metres.
+    """
+    centres = np.asarray(tree.data)
+    inside = np.zeros(len(places), dtype=np.bool_)
+    if not len(places):
+        return inside
+    near = tree.query_ball_point(places, SURROUNDINGS_HEIGHTS * height)
+    wide = tree.query_ball_point(places, SURFACE_HEIGHTS * height)
+    for k, place in enumerate(places):
+        around = centres[near[k]] - place
+        if len(around) < FEWEST_AROUND:
+            continue
+        patch = centres[wide[k]]
+        axes = np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)[2]
+        angles = np.sort(np.arctan2(around @ axes[1], around @ axes[0]))
+        widest = np.max(np.diff(np.append(angles, angles[0] + 2 * np.pi)))
+        # the place must lie within the layer's thickness: not on top of all its neighbours, not below them
+        across = around @ axes[2]
+        inside[k] = widest <= WIDEST_GAP and across.min() < 0 < across.max()
+    return inside
+
+
+def find_gaps(points: FloatArray, armour: Armour) -> list[Gap]:
+    """Places among the units where the points, and the room between the units, speak for a missing one.
+
+    Parameters
+    ----------
+    points
+        (n, 3) metres, frame of the armour: all points of the cloud there.
+    armour
+        Units of the epoch.
+
+    Returns
+    -------
+    gaps
+        At least a height apart, largest area first.
+    """
+    elements = unexplained(points, armour)
+    if not len(elements):
+        return []
+    places = _places(elements, armour)
+    kinds = armour.kinds[armour.tree.query(places)[1]] if len(places) else np.empty(0, dtype=np.int64)
+    found: list[Gap] = []
+    for kind in np.unique(kinds):
+        found += _judged(places[kinds == kind], int(kind), elements, armour)
+    return clearest(found, armour.height)
+
+
+def unexplained(points: FloatArray, armour: Armour) -> FloatArray:
+    """(m, 3) thinned points near the units that lie on or in none of them, metres."""
+    elements = thin(points, VOXEL_HEIGHTS * armour.height)[0]
+    if len(elements):
+        elements = elements[armour.tree.query(elements)[0] < REACH_HEIGHTS * armour.height]
+    free = np.ones(len(elements), dtype=np.bool_)
+    for kind in np.unique(armour.kinds):
+        unit = armour.units[kind]
+        distance = assign(elements, armour.poses[armour.kinds == kind], unit, EXPLAINED_HEIGHTS * unit.height)[1]
+        free &= distance > EXPLAINED_HEIGHTS * unit.height
+    return elements[free]
+
+
+def clearest(gaps: Sequence[Gap], height: float) -> list[Gap]:
+    """One for each missing unit: of gaps within a height of the one with the largest area, the one in their middle.
+
+    Where a unit explains the points, a place beside it, into which those points reach, is no hole.
+    """
+    kept: list[Gap] = []
+    left = sorted(gaps, key=lambda g: (-g.area, -g.score, *g.place))
+    while left:
+        near = [gap for gap in left if np.linalg.norm(gap.place - left[0].place) < height]
+        near = [gap for gap in near if gap.kind == "unexplained"] or near
+        middle = np.average([gap.place for gap in near], axis=0, weights=[gap.area for gap in near])
+        kept.append(min(near, key=lambda g: (float(np.linalg.norm(g.place - middle)), *g.place)))
+        left = [gap for gap in left if np.linalg.norm(gap.place - left[0].place) >= height]
+    return kept
+
+
+def needed_area(unit: UnitType) -> float:
+    """Surface, m2, below which the segmentation keeps no pose either."""
+    return FEWEST_CELLS / NUMBER_OF_CELLS * surface_area(unit)
+
+
+def _places(elements: FloatArray, armour: Armour) -> FloatArray:
+    """(n, 3) places of a lattice fixed in the frame that have room, neighbours all around and elements near."""
+    height = armour.height
+    smallest = min(armour.units, key=lambda unit: unit.height)
+    reach = float(np.hypot(smallest.leg_length, smallest.end_radius))
+    tree = cKDTree(elements)
+    # coarse cells first: most of the box around a pile is air
+    step = STEP_HEIGHTS * height
+    coarse = _lattice(elements.min(axis=0) - reach, elements.max(axis=0) + reach, COARSE * step)
+    coarse = coarse[np.isfinite(tree.query(coarse, distance_upper_bound=reach + COARSE * step)[0])]
+    fine = _lattice(np.zeros(3), np.full(3, (COARSE - 1) * step), step)
+    places = (coarse[:, None] + fine).reshape(-1, 3)
+    away = armour.tree.query(places, distance_upper_bound=REACH_HEIGHTS * height)[0]
+    places = places[(away >= armour.closest) & np.isfinite(away)]
+    if len(places):
+        wanted = needed_area(smallest) / (VOXEL_HEIGHTS * height) ** 2
+        places = places[tree.query_ball_point(places, reach, return_length=True) >= wanted]
+    return np.asarray(places[surrounded(places, armour.tree, height)])
+
+
+def _lattice(low: FloatArray, high: FloatArray, step: float) -> FloatArray:
+    """(n, 3) multiples of ``step`` from at most ``low`` to at least ``high``."""
+    lines = [np.arange(np.floor(a / step), np.ceil(b / step - 1e-9) + 1) * step for a, b in zip(low, high, strict=True)]
+    return np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 3)
+
+
+def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour) -> list[Gap]:
+    unit = armour.units[kind]
+    voxel = (VOXEL_HEIGHTS * armour.height) ** 2
+    wanted = needed_area(unit) / voxel
+    reach = float(np.hypot(unit.leg_length, unit.end_radius)) + EXPLAINED_HEIGHTS * unit.height
+    tree = cKDTree(elements)
+    core = tree.query_ball_point(places, unit.crotch_distance, return_length=True)
+    section = np.pi * unit.crotch_distance**2
+    shapes = armour.units
+    turns = _fits(
+        places, *_packed(armour.tree.query_ball_point(places, REACH_HEIGHTS * armour.height)),
+        armour.poses, armour.kinds, np.array([u.leg_directions for u in shapes]),
+        np.array([[u.radius, u.gradient, u.leg_length] for u in shapes]), kind,
+        _samples(unit), _rotations(), elements, *_packed(tree.query_ball_point(places, reach)),
+        MOST_OVERLAP, EXPLAINED_HEIGHTS * unit.height,
+    )  # fmt: skip
+    gaps: list[Gap] = []
+    for place, turn, empty, near in zip(places, turns, core, tree.query_ball_point(places, reach), strict=True):
+        # neighbouring places of the lattice settle in one and the same pose
+        known = (gap.place for gap in gaps if gap.kind == "unexplained")
+        if turn < 0 or any(np.linalg.norm(place - other) < 2 * STEP_HEIGHTS * unit.height for other in known):
+            continue
+        own = elements[near]
+        pose = _settled(Pose(place, _rotations()[turn]), own, unit)
+        distance = relate(pose.to_body(own), unit).distance
+        tolerance = EXPLAINED_HEIGHTS * unit.height
+        on, inside = int(np.sum(np.abs(distance) <= tolerance)), int(np.sum(distance < -tolerance))
+        share = on / max(len(own), 1)
+        if on >= wanted and inside <= MOST_INSIDE * on and share >= EXPLAINS_MOST and _free(pose, kind, armour):
+            gaps.append(Gap(pose.centre, "unexplained", share, float(on * voxel), kind))
+        elif (reached := min(1.0, empty * voxel / section)) >= EXPLAINS_MOST:
+            gaps.append(Gap(place, "hole", float(reached), float(empty * voxel), kind))
+    return gaps
+
+
+def _settled(pose: Pose, elements: FloatArray, unit: UnitType) -> Pose:
+    """The pose after robust least squares to the (n, 3) elements, which tells a unit from rock better than one of a few orientations."""
+
+    def misfit(change: FloatArray) -> FloatArray:
+        moved = pose.perturbed(change[:3], change[3:] / unit.height)
+        return relate(moved.to_body(elements), unit).distance
+
+    if len(elements) < 6:
+        return pose
+    scale = 0.5 * EXPLAINED_HEIGHTS * unit.height
+    change = least_squares(misfit, np.zeros(6), loss="cauchy", f_scale=scale, diff_step=1e-4, x_scale=scale, max_nfev=15).x
+    return pose.perturbed(change[:3], change[3:] / unit.height)
+
+
+def _free(pose: Pose, kind: int, armour: Armour) -> bool:
+    """Whether a unit of a type has room in its pose among the others."""
+    row = np.concatenate([pose.centre, pose.rotation.ravel()])
+    near = armour.tree.query_ball_point(pose.centre, REACH_HEIGHTS * armour.height)
+    shapes = armour.units
+    return all(overlap(row, armour.poses[k], shapes[kind], shapes[armour.kinds[k]]) <= MOST_OVERLAP for k in near)
+
+
+def _packed(lists: Sequence[Sequence[int]]) -> tuple[IntArray, IntArray]:
+    """Lists of indices as starts (n + 1,) and one array, as compiled loops like them."""
+    starts = np.concatenate([[0], np.cumsum([len(items) for items in lists])]).astype(np.int64)
+    flat = np.concatenate([np.asarray(items, dtype=np.int64) for items in lists]) if len(lists) else np.empty(0, dtype=np.int64)
+    return starts, flat
+
+
+@lru_cache(maxsize=8)
+def _samples(unit: UnitType) -> FloatArray:
+    """About FIT_SAMPLES points spread through the solid, body frame."""
+    inside = solid_samples(unit)
+    return np.ascontiguousarray(inside[:: max(1, len(inside) // FIT_SAMPLES)])
+
+
+@lru_cache(maxsize=1)
+def _rotations() -> FloatArray:
+    return np.asarray(Rotation.random(ROTATIONS, random_state=0).as_matrix())
+
+
+@njit(cache=True)
+def _outside(x: float, y: float, z: float, legs: Any, shape: Any) -> float:
+    """Signed distance to the cone or the end disc of the leg a body point leans to, metres, positive outside."""
+    axial = -1e300
+    for k in range(4):
+        lean = x * legs[k, 0] + y * legs[k, 1] + z * legs[k, 2]
+        if lean > axial:
+            axial = lean
+    rho = np.sqrt(max(x * x + y * y + z * z - axial * axial, 0.0))
+    lateral = (rho - shape[0] + shape[1] * axial) / np.sqrt(1.0 + shape[1] * shape[1])
+    return float(max(lateral, axial - shape[2]))
+
+
+@njit(cache=True, parallel=True)
+def _fits(
+    places: Any, starts: Any, neighbours: Any, poses: Any, kinds: Any, legs: Any, shapes: Any, kind: int, samples: Any, rotations: Any,
+    elements: Any, element_starts: Any, near: Any, most: float, tolerance: float,
+) -> Any:  # fmt: skip
+    """(n,) for each place the number of the orientation that fits and that the elements like best, -1 where none fits."""
+    out = np.full(len(places), -1, dtype=np.int64)
+    limit = int(most * len(samples))
+    for i in prange(len(places)):
+        best = -1e300
+        for r in range(len(rotations)):
+            turn = rotations[r]
+            on = 0
+            inside = 0
+            for a in range(element_starts[i], element_starts[i + 1]):
+                e = elements[near[a]]
+                d0, d1, d2 = e[0] - places[i, 0], e[1] - places[i, 1], e[2] - places[i, 2]
+                x = d0 * turn[0, 0] + d1 * turn[1, 0] + d2 * turn[2, 0]
+                y = d0 * turn[0, 1] + d1 * turn[1, 1] + d2 * turn[2, 1]
+                z = d0 * turn[0, 2] + d1 * turn[1, 2] + d2 * turn[2, 2]
+                distance = _outside(x, y, z, legs[kind], shapes[kind])
+                if distance < -tolerance:
+                    inside += 1
+                elif distance < tolerance:
+                    on += 1
+            # the elements are fewer than the samples of the solid, and only a better orientation need fit
+            if on - 3 * inside <= best:
+                continue
+            entered = 0
+            for s in range(len(samples)):
+                at = turn @ samples[s] + places[i]
+                for a in range(starts[i], starts[i + 1]):
+                    j = neighbours[a]
+                    p = poses[j]
+                    d0, d1, d2 = at[0] - p[0], at[1] - p[1], at[2] - p[2]
+                    x = d0 * p[3] + d1 * p[6] + d2 * p[9]
+                    y = d0 * p[4] + d1 * p[7] + d2 * p[10]
+                    z = d0 * p[5] + d1 * p[8] + d2 * p[11]
+                    if _outside(x, y, z, legs[kinds[j]], shapes[kinds[j]]) < 0.0:
+                        entered += 1
+                        break
+                if entered > limit:
+                    break
+            if entered <= limit:
+                best = on - 3 * inside
+                out[i] = r
+    return out

@@ -1,0 +1,128 @@
+"""Quality that users of armour models ask for: how near the units of one epoch lie to each other, and the epoch in a few numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from .pose import Pose
+from .unit_types import UnitType
+from .verification import overlap
+
+FloatArray = NDArray[np.float64]
+Row = dict[str, Any]
+
+CLOSEST_HEIGHTS = 0.5
+"""Two solid tetrapods cannot bring their centres nearer than about this many heights."""
+REACH_HEIGHTS = 1.3
+"""Units whose centres are farther apart than this cannot touch: each reaches 0.66 H."""
+ACCEPTED = ("found", "new", "relocated")
+"""States of a unit that counts."""
+
+
+def nearest_centres(centres: FloatArray) -> FloatArray:
+    """(k,) distance of each of (k, 3) centres to the nearest other one, metres; inf for a single unit."""
+    if len(centres) < 2:
+        return np.full(len(centres), np.inf)
+    return np.asarray(cKDTree(centres).query(centres, k=2)[0][:, 1])
+
+
+def overlap_shares(
+    poses: FloatArray, kinds: NDArray[np.int64], units: Sequence[UnitType], accepted: NDArray[np.bool_] | None = None
+) -> FloatArray:
+    """(k,) largest share of each unit's volume that lies inside one other unit, 0 to 1.
+
+    Parameters
+    ----------
+    poses
+        (k, 12) centre in metres of one frame and rotation by rows.
+    kinds, units
+        (k,) index of each unit's type, and the types.
+    accepted
+        (k,) units that others may not enter; all unless given.
+    """
+    shares = np.zeros(len(poses))
+    if len(poses) < 2:
+        return shares
+    reach = REACH_HEIGHTS * max(unit.height for unit in units)
+    for i, j in cKDTree(poses[:, :3]).query_pairs(reach, output_type="ndarray"):
+        for a, b in ((i, j), (j, i)):
+            if accepted is None or accepted[b]:
+                shares[a] = max(shares[a], overlap(poses[a], poses[b], units[kinds[a]], units[kinds[b]]))
+    return shares
+
+
+def pose_table(rows: Sequence[Mapping[str, Any]]) -> FloatArray:
+    """(k, 12) centre and rotation by rows of rows of the layer ``units`` that have a geometry."""
+    poses = [Pose.from_quaternion(row["geometry"], [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in rows]
+    return np.array([np.concatenate([pose.centre, pose.rotation.ravel()]) for pose in poses]).reshape(-1, 12)
+
+
+def kinds_of(rows: Iterable[Mapping[str, Any]], units: Sequence[UnitType]) -> NDArray[np.int64]:
+    """(k,) index of the type of each row of the layer ``units``."""
+    number = {unit.name: k for k, unit in enumerate(units)}
+    return np.array([number[row["unit_type"]] for row in rows], dtype=np.int64)
+
+
+def add_neighbours(rows: Sequence[Row], units: Sequence[UnitType]) -> None:
+    """Fill ``nearest_centre`` and ``overlap_share`` of rows of the layer ``units``, epoch by epoch, from their final poses."""
+    for label in dict.fromkeys(row["epoch"] for row in rows):
+        own = [row for row in rows if row["epoch"] == label and row["geometry"] is not None]
+        if not own:
+            continue
+        poses = pose_table(own)
+        # differences of seven-digit coordinates lose digits
+        poses[:, :3] -= np.round(poses[:, :3].mean(axis=0))
+        accepted = np.array([row["status"] in ACCEPTED for row in own], dtype=np.bool_)
+        nearest, shares = nearest_centres(poses[:, :3]), overlap_shares(poses, kinds_of(own, units), units, accepted)
+        for row, distance, share in zip(own, nearest, shares, strict=True):
+            row["nearest_centre"] = float(distance) if np.isfinite(distance) else None
+            row["overlap_share"] = float(share)
+
+
+def summarise_epoch(rows: Sequence[Mapping[str, Any]], gaps: int | None) -> Row:
+    """An epoch in a few numbers, from its rows of the layer ``units`` after :func:`add_neighbours`.
+
+    Returns
+    -------
+    summary
+        ``found``, ``uncertain``; ``distance_median`` of the counting units' own (metres) and ``overlap_share_max`` among them, None where
+        no unit tells; ``close_pairs``, of all units with centres nearer than 0.5 H; ``gaps``, None where they were not looked for.
+    """
+    placed = [row for row in rows if row["geometry"] is not None]
+    counting = [row for row in placed if row["status"] in ACCEPTED]
+    distances = [row["distance_median"] for row in counting if _known(row.get("distance_median"))]
+    shares = [row["overlap_share"] for row in counting if row.get("overlap_share") is not None]
+    pairs = 0
+    if len(placed) > 1:
+        centres = np.array([row["geometry"] for row in placed])
+        pairs = len(cKDTree(centres - centres[0]).query_pairs(CLOSEST_HEIGHTS * max(row["height"] for row in placed)))
+    return {
+        "found": len(counting),
+        "uncertain": len(placed) - len(counting),
+        "distance_median": float(np.median(distances)) if distances else None,
+        "overlap_share_max": float(max(shares)) if shares else None,
+        "close_pairs": pairs,
+        "gaps": gaps,
+    }
+
+
+def describe(label: str, summary: Mapping[str, Any]) -> str:
+    """The summary of an epoch as a line of the log."""
+    parts = [f"{label}: {summary['found']} units found, {summary['uncertain']} uncertain"]
+    if summary["distance_median"] is not None:
+        parts.append(f"median distance of points to the surface {1000 * summary['distance_median']:.1f} mm")
+    if summary["overlap_share_max"] is not None:
+        parts.append(f"largest overlap {100 * summary['overlap_share_max']:.2f} % of a unit")
+    parts.append(f"{summary['close_pairs']} pairs closer than solids can be")
+    if summary["gaps"] is not None:
+        parts.append(f"{summary['gaps']} gaps")
+    return ", ".join(parts)
+
+
+def _known(value: Any) -> bool:
+    return value is not None and bool(np.isfinite(value))
