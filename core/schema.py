@@ -269,6 +269,8 @@ LAYERS: dict[str, Layer] = {
                 Field("points", "integer", "points read"),
                 Field("transformation", "text", "JSON: seven parameters cloud to control frame, their covariance and reduction points"),
                 Field("sigma0", "real", "standard deviation of unit weight of the registration"),
+                Field("datum", "text", "what the epoch's frame hangs on: control, stable areas, or cloud (its own frame was kept)"),
+                Field("reference_epoch", "text", "epoch it was tied to on stable areas: displacements are relative to that one"),
                 Field("software", "text", "name and version of the software"),
                 Field("settings", "text", "JSON: settings, checksums of all inputs, versions and seed"),
             ),

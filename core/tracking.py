@@ -17,7 +17,7 @@ from scipy.linalg import block_diag
 from scipy.spatial import cKDTree
 
 from .congruence import Congruence, NullModel, calibrate, congruence_of
-from .control import Transformation, rigid_jacobian
+from .control import Transformation
 from .cross_check import CrossCheck, cross_check
 from .displacement import (
     SECONDS_PER_YEAR,
@@ -95,6 +95,10 @@ class TrackedEpoch:
         Transformation to control, its reduction point ``origin_to`` already less the common one; None without control.
     redundancy
         Of the registration.
+    tied_to
+        Index of the epoch that this one was registered to on stable areas, so that it shares that one's error; None for control.
+    offset_variance
+        Variance of the mean offset of the epoch's strips or stations per axis, square metres: what a registration cannot know.
     """
 
     label: str
@@ -102,6 +106,16 @@ class TrackedEpoch:
     units: tuple[FittedUnit, ...]
     registration: Transformation | None
     redundancy: int = 0
+    tied_to: int | None = None
+    offset_variance: float = 0.0
+
+    @property
+    def placement(self) -> Transformation | None:
+        """The registration with the mean offset of the strips, as a common shift, added to its covariance."""
+        if self.registration is None:
+            return None
+        offset = np.diag([self.offset_variance] * 3 + [0.0] * 4)
+        return replace(self.registration, covariance=self.registration.covariance + offset)
 
 
 @dataclass(frozen=True, eq=False)
@@ -229,7 +243,7 @@ def track(epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], surrounding
     return Tracking(
         tuple(t.kind for t in tracks),
         tuple(tracked),
-        tuple(e.registration for e in epochs),
+        tuple(e.placement for e in epochs),
         pairs,
         joint,
         checks,
@@ -370,13 +384,12 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
 
 
 def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
-    """The epoch with what its targets cannot know added to the registration: the mean offset of its strips, as a common shift."""
+    """The epoch with the variance of the mean offset of its strips."""
     offsets = np.array([offset for (e, _), offset in joint.offsets.items() if e == number]).reshape(-1, 3)
     if epoch.registration is None or len(offsets) < 2:
         return epoch
     variance = float(np.mean(np.sum(offsets**2, axis=0) / (len(offsets) - 1) / len(offsets)))
-    covariance = epoch.registration.covariance + np.diag([variance] * 3 + [0.0] * 4)
-    return replace(epoch, registration=replace(epoch.registration, covariance=covariance))
+    return replace(epoch, offset_variance=variance)
 
 
 def _states_of(
@@ -443,7 +456,7 @@ def _compare(
     vectors = np.array([b.positions[0] - a.positions[0] for a, b in zip(befores, afters, strict=True)]).reshape(-1, 3)
     own = np.array([relative_covariance(a, b, c)[0] for a, b, c in zip(befores, afters, joints, strict=True)]).reshape(-1, 3, 3)
     origin = centres[judged].mean(axis=0) if len(judged) else np.zeros(3)
-    prior = _common_prior(epochs[first].registration, epochs[second].registration, origin)
+    prior = _common_prior(epochs, first, second, origin)
     degrees = epochs[first].redundancy + epochs[second].redundancy
     congruence = congruence_of(vectors[judged], own[judged], centres[judged], prior, origin, height, degrees or math.inf)
     turn = np.array(turns).reshape(-1, 3)
@@ -512,15 +525,23 @@ def unit_shape(unit: UnitType, scale: float) -> UnitType:
     return replace(unit, radius=unit.radius * scale, leg_length=unit.leg_length * scale)
 
 
-def _common_prior(first: Transformation | None, second: Transformation | None, origin: FloatArray) -> FloatArray | None:
-    """(7, 7) covariance of the motion common to all units between two registered epochs, about ``origin``."""
-    if first is None or second is None:
-        return None
+def _common_prior(epochs: Sequence[TrackedEpoch], first: int, second: int, origin: FloatArray) -> FloatArray | None:
+    """(7, 7) covariance of the motion common to all units between two registered epochs, about ``origin``.
+
+    Epochs tied to the same one share the error of its registration, which drops out of their difference.
+    """
     total = np.zeros((7, 7))
-    for transformation in (first, second):
-        carry = np.eye(7)
-        carry[:3] = rigid_jacobian((origin - transformation.origin_to)[None])[0]
-        total += carry @ transformation.covariance @ carry.T
+    roots = []
+    for number in (first, second):
+        placement = epochs[number].placement
+        if placement is None:
+            return None
+        total += placement.covariance_at(origin)
+        tied_to = epochs[number].tied_to
+        roots.append(number if tied_to is None else tied_to)
+    shared = epochs[roots[0]].registration
+    if roots[0] == roots[1] and shared is not None:
+        total -= 2 * shared.covariance_at(origin)
     return total
 
 
