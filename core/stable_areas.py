@@ -58,8 +58,13 @@ SLIDES = 0.95
 """Least horizontal part of a unit vector of shifts and turns that is a shift along a level wall."""
 TUKEY = 4.685
 """Tuning constant of Tukey's weights, 95 % efficient for normal errors (Holland and Welsch, 1977)."""
-FIRST_PATCH, MIN_PATCHES = 8.0, 24
+FIRST_PATCH, MIN_PATCHES = 8.0, 20
 """Edge of the smallest patches in voxels, and least number of patches that a variance is taken from."""
+
+
+GRID = np.array([[2.0, -1.0, -1.0], [0.0, math.sqrt(3), -math.sqrt(3)], [math.sqrt(2)] * 3]) / math.sqrt(6)
+"""(3, 3) axes, as columns, of the grid for voxels and patches, all equally inclined. A level deck or a plumb wall is never parallel to a
+side of its cells: where one is, cells part the points by their noise, and their means draw the surface towards the side."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,12 +241,19 @@ class _Adjusted:
 
     @property
     def normal_matrix(self) -> FloatArray:
+        """(6, 6) of the last step."""
         return np.asarray(self.rows.T @ (self.weights[:, None] * self.rows))
 
     @property
     def cofactor(self) -> FloatArray:
-        """(6, 6) of the parameters; zero along a direction that was held."""
-        return np.asarray(np.linalg.pinv(self.normal_matrix, rcond=1e-9, hermitian=True))
+        """(6, 6) of the parameters; zero along a direction that was held.
+
+        What a distance changes in the solution is the slope of Tukey's function, which is less than its weight (Huber, 1981, Robust
+        Statistics, 6.3).
+        """
+        root = np.sqrt(self.weights)
+        slopes = root * (5 * root - 4)
+        return np.asarray(np.linalg.pinv(self.rows.T @ (slopes[:, None] * self.rows), rcond=1e-9, hermitian=True))
 
     @property
     def variance(self) -> float:
@@ -261,12 +273,15 @@ def _flat_points(points: FloatArray) -> FloatArray:
 
 
 def _thinned(points: FloatArray, voxel: float) -> FloatArray:
-    """Mean point of every voxel of a grid anchored at the reduction point."""
-    if not len(points):
-        return points
-    _, place = np.unique(np.floor(points / voxel).astype(np.int64), axis=0, return_inverse=True)
+    """Mean point of every voxel."""
+    place = _cells(points, voxel)
     count = np.bincount(place)
     return np.column_stack([np.bincount(place, points[:, k]) / count for k in range(3)])
+
+
+def _cells(points: FloatArray, edge: float) -> NDArray[np.int64]:
+    """(n,) number of the cell of :data:`GRID` that each point lies in."""
+    return np.asarray(np.unique(np.floor(points @ GRID / edge).astype(np.int64), axis=0, return_inverse=True)[1]).ravel()
 
 
 def _coarse(reference: FloatArray, moving: FloatArray, reach: float) -> FloatArray:
@@ -355,12 +370,13 @@ def _correlation(found: _Adjusted, edge: float) -> tuple[float, int]:
     free = int(np.linalg.matrix_rank(inverse, hermitian=True))
     factor, count = 1.0, len(scores)
     while True:
-        _, patch = np.unique(np.floor(found.used / edge).astype(np.int64), axis=0, return_inverse=True)
+        patch = _cells(found.used, edge)
         patches = int(patch.max()) + 1
         if patches < MIN_PATCHES:
             return factor, count
         sums = np.column_stack([np.bincount(patch, scores[:, k]) for k in range(6)])
-        grown = float(np.trace(inverse @ (sums.T @ sums)) / free * patches / (patches - free))
+        # of the parameter that suffers most: a tilt about the long axis of a wall more than its height
+        grown = float(np.max(np.diag(inverse @ (sums.T @ sums)))) * patches / (patches - free)
         if grown > factor:
             factor, count = grown, patches
         edge *= 2
