@@ -100,7 +100,7 @@ def test_level_deck_at_the_side_of_a_voxel_is_not_drawn_to_it() -> None:
     """Cells parallel to a surface would part its points by their noise, and the mean of means would not be the mean."""
     rng = np.random.default_rng(5)
     low, high = wall(rng, relief=1), wall(rng, relief=1)
-    found = register_on_areas(low, high + [0, 0, 0.004], ORIGIN, HEIGHT).transformation
+    found = register_on_areas(low, high + 0.004 * UP, ORIGIN, HEIGHT).transformation
     assert found.apply(MIDDLE[None] + ORIGIN)[0, 2] - ORIGIN[2] == pytest.approx(-0.004, abs=0.0015)
 
 
@@ -123,7 +123,7 @@ def test_straight_wall_keeps_the_position_of_the_cloud_along_it_and_says_so() ->
     ("other", "problem"),
     [
         (lambda rng: wall(rng, (DECK,)), "leave 3 of six shifts and turns undetermined"),
-        (lambda rng: wall(rng) + [0, 0, 40.0], "only 0 % of the points inside the areas lie on the surface"),
+        (lambda rng: wall(rng) + 40 * UP, "only 0 % of the points inside the areas lie on the surface"),
         (lambda rng: wall(rng)[:150], "only 150 points of this epoch lie inside"),
         (lambda rng: wall(rng, drift=0.15), "differ by|lie on the surface"),
     ],
@@ -180,7 +180,8 @@ def test_areas_in_another_crs_come_into_the_surveys(tmp_path: Path, name: str) -
 
 def test_layers_without_crs_or_polygons_are_refused(tmp_path: Path) -> None:
     polygon = shapely.Polygon(CORNERS)
-    bare = write_areas(tmp_path / "bare.gpkg", None, polygon)
+    with pytest.warns(UserWarning, match="'crs' was not provided"):
+        bare = write_areas(tmp_path / "bare.gpkg", None, polygon)
     assert shapely.area(read_areas(bare, "LOCAL")) == pytest.approx(6 * LENGTH)
     with pytest.raises(CrsError, match="has no CRS"):
         read_areas(bare, "EPSG:32652")
@@ -196,7 +197,7 @@ def test_points_are_read_inside_the_areas_only_and_once_however_tiled(tmp_path: 
     west = points[:, 0] < ORIGIN[0] + 7
     tiles = [
         inspect_tile(write_las(tmp_path / name, part, "EPSG:32652"), "EPSG:32652")
-        for name, part in (("a.laz", points[west]), ("b.laz", points[~west]), ("far.laz", points + [500, 0, 0]))
+        for name, part in (("a.laz", points[west]), ("b.laz", points[~west]), ("far.laz", points + 500 * EAST))
     ]
     areas = shapely.Polygon(np.array([(4, 1), (10, 1), (10, 4), (4, 4)]) + ORIGIN[:2])
     found = read_stable_points(tiles, "EPSG:32652", None, areas, ORIGIN, 0.07)
