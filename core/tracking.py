@@ -32,10 +32,11 @@ from .displacement import (
     velocity,
 )
 from .feature_points import FEATURES, FeaturePoints, feature_points
-from .identity import FoundUnits, Track, identify, relocations
+from .identity import FoundUnits, Track, identify
 from .pose import Pose
 from .presence import look_up
 from .strip_offsets import JointAdjustment, UnitSighting, adjust_jointly
+from .surface_texture import Texture, likeness, texture
 from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
@@ -233,7 +234,7 @@ def track(epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], surrounding
     states, recovered = _look_for_missing(epochs, tracks, seen, units, identities.shifts, surroundings)
     for unit, epoch, sighting in recovered:
         seen[unit][epoch] = sighting
-    tracks, seen, states = _join_relocated(tracks, seen, states, units, len(epochs))
+    tracks, seen, states = _join_relocated(tracks, seen, states, len(epochs))
     joint, numbers = _adjust(seen)
     epochs = [_with_mean_offset(e, k, joint) for k, e in enumerate(epochs)]
     tracked = [_states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs)) for k in range(len(tracks))]
@@ -322,32 +323,48 @@ def _look_for_missing(
 
 
 def _join_relocated(
-    tracks: list[Track], seen: list[dict[int, FittedUnit]], states: list[dict[int, str]], units: Sequence[UnitType], epochs: int
+    tracks: list[Track], seen: list[dict[int, FittedUnit]], states: list[dict[int, str]], epochs: int
 ) -> tuple[list[Track], list[dict[int, FittedUnit]], list[dict[int, str]]]:
-    """Join a lost unit with a new one that it was carried to."""
-    height = max(unit.height for unit in units)
+    """Join a unit that left its place with one that appeared elsewhere, where the relief of their surfaces proves them to be one.
+
+    Neither the place nor the size tells: waves carry units down, cranes put others on top, and a heap of moulded units differs in size
+    by millimetres. Without proof both stay what they are seen to be, lost and new.
+    """
     gone: set[int] = set()
+    textures: dict[tuple[int, int], Texture] = {}
+
+    def texture_of(unit: int, epoch: int) -> Texture:
+        if (unit, epoch) not in textures:
+            s = seen[unit][epoch]
+            textures[unit, epoch] = texture(s.points, s.sources, s.pose, s.shape)
+        return textures[unit, epoch]
+
     for epoch in range(1, epochs):
-        lost = [k for k in range(len(tracks)) if states[k].get(epoch) == "empty" and epoch - 1 in seen[k]]
-        new = [k for k in range(len(tracks)) if seen[k] and min(seen[k]) == epoch and states[k].get(epoch - 1) == "empty"]
-        pairs = relocations(
-            [seen[k][epoch - 1].pose for k in lost], [seen[k][epoch].pose for k in new],
-            [tracks[k].kind for k in lost], [tracks[k].kind for k in new], height,
-        )  # fmt: skip
-        for i, j in pairs:
-            old, arrived = lost[i], new[j]
-            t, u = tracks[old], tracks[arrived]
-            later = {e for e in seen[arrived] if e >= epoch}
+        left = [k for k in range(len(tracks)) if seen[k] and max(seen[k]) < epoch and k not in gone]
+        came = [k for k in range(len(tracks)) if seen[k] and min(seen[k]) == epoch]
+        found = [
+            (match.lead, match, old, new)
+            for old in left
+            for new in came
+            if tracks[old].kind == tracks[new].kind
+            and (match := likeness(texture_of(old, max(seen[old])), texture_of(new, epoch), seen[old][max(seen[old])].shape)).same_unit
+        ]
+        taken: set[int] = set()
+        for _, match, old, new in sorted(found, key=lambda item: -item[0]):
+            if old in taken or new in taken:
+                continue
+            taken |= {old, new}
+            gone.add(new)
+            t, u = tracks[old], tracks[new]
             tracks[old] = Track(
-                t.rows | {e: u.rows[e] for e in later if e in u.rows},
-                t.symmetries | u.symmetries,
-                t.ambiguous | u.ambiguous | {epoch},
+                t.rows | u.rows,
+                t.symmetries | {e: symmetry @ match.symmetry for e, symmetry in u.symmetries.items()},
+                t.ambiguous | u.ambiguous,
                 t.kind,
                 t.relocated | {epoch},
             )
-            seen[old] |= {e: seen[arrived][e] for e in later}
-            states[old] = {e: s for e, s in states[old].items() if e < epoch} | {e: s for e, s in states[arrived].items() if e > epoch}
-            gone.add(arrived)
+            seen[old] |= {e: _sighted(sighting, match.symmetry) for e, sighting in seen[new].items()}
+            states[old] = {e: s for e, s in states[old].items() if e < epoch} | {e: s for e, s in states[new].items() if e > epoch}
     keep = [k for k in range(len(tracks)) if k not in gone]
     return [tracks[k] for k in keep], [seen[k] for k in keep], [states[k] for k in keep]
 
