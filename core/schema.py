@@ -136,6 +136,7 @@ LAYERS: dict[str, Layer] = {
                 Field("coverage", "real", "share of the unit's surface that holds points, 0 to 1"),
                 Field("score", "real", "share of the predicted visible surface that is supported by points, 0 to 1"),
                 Field("status", "text", "found, uncertain, new, relocated, lost or unseen"),
+                Field("may_be", "text", "of a lost or new unit: unit_ids of new or lost ones that it may be; nothing decides between them"),
             ),
         ),
         Layer(

@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,7 +36,7 @@ from .identity import FoundUnits, Track, identify
 from .pose import Pose
 from .presence import look_up
 from .strip_offsets import JointAdjustment, UnitSighting, adjust_jointly
-from .surface_texture import Texture, likeness, texture
+from .surface_texture import likeness, texture
 from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
@@ -44,6 +44,8 @@ IntArray = NDArray[np.int64]
 
 DATUMS = ("stable", "control")
 MIN_RECOVERED_POINTS = 60
+DOUBTFUL_MOVE_HEIGHTS = 0.2
+"""Motion above which another unit fits into the place."""
 RECOVERED_SCORE = 0.8
 """Probability below which one detection does not vouch for the unit in an epoch where it was not detected."""
 
@@ -322,51 +324,105 @@ def _look_for_missing(
     return states, recovered
 
 
+@dataclass(frozen=True, eq=False)
+class _Followed:
+    """A track with its sightings and what was found where it was not seen."""
+
+    track: Track
+    seen: dict[int, FittedUnit]
+    states: dict[int, str]
+
+    def until(self, epoch: int) -> _Followed:
+        """What happened before an epoch; in it another unit fills the place."""
+        return self._part(lambda e: e < epoch, {epoch: "empty"})
+
+    def since(self, epoch: int) -> _Followed:
+        """What happened from an epoch on; before it another unit filled the place."""
+        return self._part(lambda e: e >= epoch, {epoch - 1: "empty"})
+
+    def _part(self, within: Callable[[int], bool], states: dict[int, str]) -> _Followed:
+        t = self.track
+        track = Track(
+            {e: r for e, r in t.rows.items() if within(e)},
+            {e: s for e, s in t.symmetries.items() if within(e)},
+            frozenset(e for e in t.ambiguous if within(e)),
+            t.kind,
+            frozenset(e for e in t.relocated if within(e)),
+        )
+        return _Followed(
+            track, {e: s for e, s in self.seen.items() if within(e)}, states | {e: s for e, s in self.states.items() if within(e)}
+        )
+
+    def carried_to(self, arrived: _Followed, epoch: int, symmetry: FloatArray) -> _Followed:
+        """The unit and, from an epoch on, what it was found to be elsewhere, with the leg numbers of the first place."""
+        t, u = self.track, arrived.track
+        track = Track(
+            t.rows | u.rows,
+            t.symmetries | {e: s @ symmetry for e, s in u.symmetries.items()},
+            t.ambiguous | u.ambiguous,
+            t.kind,
+            t.relocated | u.relocated | {epoch},
+        )
+        states = {e: s for e, s in self.states.items() if e < epoch} | {e: s for e, s in arrived.states.items() if e > epoch}
+        return _Followed(track, self.seen | {e: _sighted(s, symmetry) for e, s in arrived.seen.items()}, states)
+
+    def moved_far(self, epoch: int) -> bool:
+        """Whether it moved by a good part of its height into this epoch."""
+        before = [e for e in self.seen if e < epoch]
+        if epoch not in self.seen or not before:
+            return False
+        last, now = self.seen[max(before)], self.seen[epoch]
+        return float(np.linalg.norm(now.pose.centre - last.pose.centre)) > DOUBTFUL_MOVE_HEIGHTS * now.shape.height
+
+
 def _join_relocated(
     tracks: list[Track], seen: list[dict[int, FittedUnit]], states: list[dict[int, str]], epochs: int
 ) -> tuple[list[Track], list[dict[int, FittedUnit]], list[dict[int, str]]]:
     """Join a unit that left its place with one that appeared elsewhere, where the relief of their surfaces proves them to be one.
 
-    Neither the place nor the size tells: waves carry units down, cranes put others on top, and a heap of moulded units differs in size
-    by millimetres. Without proof both stay what they are seen to be, lost and new.
+    Neither the place nor the size tells: waves carry units down, cranes put others on top, and moulded units differ in size by
+    millimetres. Without proof both stay what they are seen to be, lost and new. What seems to have moved far may be another unit in the
+    hole that the first one left: its track is parted where one of the two is recognised elsewhere.
     """
-    gone: set[int] = set()
-    textures: dict[tuple[int, int], Texture] = {}
-
-    def texture_of(unit: int, epoch: int) -> Texture:
-        if (unit, epoch) not in textures:
-            s = seen[unit][epoch]
-            textures[unit, epoch] = texture(s.points, s.sources, s.pose, s.shape)
-        return textures[unit, epoch]
-
+    followed = {k: _Followed(*parts) for k, parts in enumerate(zip(tracks, seen, states, strict=True)) if parts[1]}
     for epoch in range(1, epochs):
-        left = [k for k in range(len(tracks)) if seen[k] and max(seen[k]) < epoch and k not in gone]
-        came = [k for k in range(len(tracks)) if seen[k] and min(seen[k]) == epoch]
-        found = [
-            (match.lead, match, old, new)
-            for old in left
-            for new in came
-            if tracks[old].kind == tracks[new].kind
-            and (match := likeness(texture_of(old, max(seen[old])), texture_of(new, epoch), seen[old][max(seen[old])].shape)).same_unit
-        ]
-        taken: set[int] = set()
-        for _, match, old, new in sorted(found, key=lambda item: -item[0]):
-            if old in taken or new in taken:
-                continue
-            taken |= {old, new}
-            gone.add(new)
-            t, u = tracks[old], tracks[new]
-            tracks[old] = Track(
-                t.rows | u.rows,
-                t.symmetries | {e: symmetry @ match.symmetry for e, symmetry in u.symmetries.items()},
-                t.ambiguous | u.ambiguous,
-                t.kind,
-                t.relocated | {epoch},
-            )
-            seen[old] |= {e: _sighted(sighting, match.symmetry) for e, sighting in seen[new].items()}
-            states[old] = {e: s for e, s in states[old].items() if e < epoch} | {e: s for e, s in states[new].items() if e > epoch}
-    keep = [k for k in range(len(tracks)) if k not in gone]
-    return [tracks[k] for k in keep], [seen[k] for k in keep], [states[k] for k in keep]
+        parted: dict[int, tuple[int, _Followed]] = {}
+        for k, whole in list(followed.items()):
+            if whole.moved_far(epoch):
+                later = max(followed) + 1
+                parted[k] = later, whole
+                followed[k], followed[later] = whole.until(epoch), whole.since(epoch)
+        pairs = _recognised(
+            {k: f.seen[max(f.seen)] for k, f in followed.items() if max(f.seen) < epoch},
+            {k: f.seen[epoch] for k, f in followed.items() if min(f.seen) == epoch},
+        )
+        for old, new, symmetry in pairs:
+            if old not in parted or parted[old][0] != new:
+                followed[old] = followed[old].carried_to(followed.pop(new), epoch, symmetry)
+        elsewhere = {old for old, new, _ in pairs if old not in parted or parted[old][0] != new}
+        for k, (later, whole) in parted.items():
+            if k not in elsewhere and later in followed and later not in elsewhere:
+                followed[k] = whole
+                del followed[later]
+    return [f.track for f in followed.values()], [f.seen for f in followed.values()], [f.states for f in followed.values()]
+
+
+def _recognised(left: dict[int, FittedUnit], came: dict[int, FittedUnit]) -> list[tuple[int, int, FloatArray]]:
+    """Pairs of a unit that left its place and one that came to another, proved by their relief, with the symmetry of the second."""
+    if not left or not came:
+        return []
+    textures = [{k: texture(s.points, s.sources, s.pose, s.shape) for k, s in units.items()} for units in (left, came)]
+    found = []
+    for old, new in product(left, came):
+        if left[old].kind == came[new].kind:
+            match = likeness(textures[0][old], textures[1][new], left[old].shape)
+            if match.same_unit:
+                found.append((match.lead, old, new, match.symmetry))
+    pairs: list[tuple[int, int, FloatArray]] = []
+    for _, old, new, symmetry in sorted(found, key=lambda item: -item[0]):
+        if all(old != a and new != b for a, b, _ in pairs):
+            pairs.append((old, new, symmetry))
+    return pairs
 
 
 def _adjust(seen: Sequence[dict[int, FittedUnit]]) -> tuple[JointAdjustment, dict[tuple[int, int], int]]:
