@@ -28,6 +28,7 @@ from qgis.core import (
     QgsProcessingParameterNumber,
     QgsProcessingParameterString,
     QgsProject,
+    QgsVectorFileWriter,
 )
 
 from ..plugin.translation import tr
@@ -43,7 +44,7 @@ UNIT, HEIGHT, RADIUS, GRADIENT, LEG_LENGTH, OPENING, CALIBRATE = (
     "OPENING",
     "CALIBRATE",
 )
-AREA, CONTROL, TARGETS, CHECK, WORKERS = "AREA", "CONTROL", "TARGETS", "CHECK", "WORKERS"
+AREA, STABLE_AREAS, CONTROL, TARGETS, CHECK, WORKERS = "AREA", "STABLE_AREAS", "CONTROL", "TARGETS", "CHECK", "WORKERS"
 POINT_CLOUD_ENDINGS = (".las", ".laz")
 OPENINGS = ("tetrahedral", "paper")
 UNIT_HINTS = tuple(f"tetrapod {mass} t" for mass in ("0.5", 1, 2, "3.2", 4, 5, "6.3", 8, 10, "12.5", 16, 20, 25, 32, 40, 50, 64, 80))
@@ -73,10 +74,14 @@ class SurveyInput:
     epochs: list[EpochInput]
     tiles_crs: str = ""
     area: list[list[float]] = field(default_factory=list)
+    stable_areas: str = ""
 
     def write(self, folder: Path) -> Path:
         """Write survey.toml into a folder and return its path."""
-        lines = ["[survey]", f"name = {_toml('QGIS')}", f"crs = {_toml(self.crs)}", "", "[unit]"]
+        lines = ["[survey]", f"name = {_toml('QGIS')}", f"crs = {_toml(self.crs)}"]
+        if self.stable_areas:
+            lines.append(f"stable_areas = {_toml(self.stable_areas)}")
+        lines += ["", "[unit]"]
         lines += [f"{key} = {_toml(value)}" for key, value in self.unit.items()]
         if self.area:
             lines.append(f"area = {_toml(self.area)}")
@@ -194,6 +199,17 @@ def add_area(algorithm: TetratrackAlgorithm) -> None:
     algorithm.add(
         QgsProcessingParameterFeatureSource(AREA, tr("Area of interest"), [Qgis.ProcessingSourceType.VectorPolygon], optional=True),
         tr("Polygon inside which units are looked for; its outer ring is used. Empty means everywhere."),
+    )
+
+
+def add_stable_areas(algorithm: TetratrackAlgorithm) -> None:
+    """Surfaces that tie epochs without control to another epoch."""
+    algorithm.add(
+        QgsProcessingParameterFeatureSource(STABLE_AREAS, tr("Stable areas"), [Qgis.ProcessingSourceType.VectorPolygon], optional=True),
+        tr(
+            "Polygons around surfaces that do not move, such as the crown wall: they tie epochs without control to the earliest with "
+            "control, or to the first."
+        ),
     )
 
 
@@ -361,6 +377,17 @@ def ring_of(
         raise QgsProcessingException(tr("The area of interest has several separate parts; give one polygon."))
     polygon = joined.asMultiPolygon()[0] if joined.isMultipart() else joined.asPolygon()
     return [[point.x(), point.y()] for point in polygon[0][:-1]]
+
+
+def write_polygons(source: QgsProcessingFeatureSource, path: Path, context: QgsProcessingContext) -> Path:
+    """Write a polygon layer as GeoPackage in its own CRS, for the engine to transform."""
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    options.driverName = "GPKG"
+    layer = source.materialize(QgsFeatureRequest())
+    error, message, *_ = QgsVectorFileWriter.writeAsVectorFormatV3(layer, str(path), context.transformContext(), options)
+    if error != QgsVectorFileWriter.WriterError.NoError:
+        raise QgsProcessingException(tr("{layer} cannot be written: {reason}.").format(layer=source.sourceName(), reason=message))
+    return path
 
 
 def write_points(

@@ -29,12 +29,14 @@ from .inputs import (
     CONTROL_COLUMNS,
     CRS,
     LOCAL,
+    STABLE_AREAS,
     TARGET_COLUMNS,
     WORKERS,
     EpochInput,
     SurveyInput,
     add_area,
     add_crs,
+    add_stable_areas,
     add_unit,
     add_workers,
     crs_text,
@@ -42,6 +44,7 @@ from .inputs import (
     tile_paths,
     unit_values,
     write_points,
+    write_polygons,
 )
 from .survey_algorithm import CHECK_SD, TARGET_SD, SurveyAlgorithm, creation_date
 
@@ -91,6 +94,7 @@ class MonitorSurvey(SurveyAlgorithm):
         add_unit(self)
         add_crs(self)
         add_area(self)
+        add_stable_areas(self)
         add_workers(self)
         self.add(
             QgsProcessingParameterBoolean(self.BACKDROP, tr("Shaded relief of each epoch"), True),
@@ -219,4 +223,7 @@ class MonitorSurvey(SurveyAlgorithm):
             stamp = time.rstrip("Z") + "Z" if time else creation_date(Path(tiles[0])).strftime("%Y-%m-%dT%H:%M:%SZ")
             epochs.append(EpochInput(label or str(number + 1), stamp, tiles, files))
         area = ring_of(self.parameterAsSource(parameters, AREA, context), frame, context)
-        return SurveyInput(text, unit_values(self, parameters, context), epochs, tiles_crs=crs_text(crs), area=area).write(folder)
+        stable = self.parameterAsSource(parameters, STABLE_AREAS, context)
+        areas = "" if stable is None else str(write_polygons(stable, folder / "stable_areas.gpkg", context))
+        unit = unit_values(self, parameters, context)
+        return SurveyInput(text, unit, epochs, tiles_crs=crs_text(crs), area=area, stable_areas=areas).write(folder)

@@ -116,6 +116,12 @@ class Transformation:
         arm = np.asarray(points, dtype=np.float64).reshape(-1, 3) - self.origin_to
         return rigid_jacobian(arm)
 
+    def covariance_at(self, origin: ArrayLike) -> FloatArray:
+        """(7, 7) covariance of the same parameters with shifts referring to (3,) ``origin`` of the control frame."""
+        carry = np.eye(7)
+        carry[:3] = self.jacobian(origin)[0]
+        return np.asarray(carry @ self.covariance @ carry.T)
+
     def with_shift(self, shift: ArrayLike, turn: ArrayLike, covariance: FloatArray) -> Transformation:
         """The transformation followed by a small motion (shift in m, rotation vector in rad, about ``origin_to``)."""
         matrix = Rotation.from_rotvec(np.asarray(turn, dtype=np.float64)).as_matrix()
@@ -188,6 +194,9 @@ class Registration:
         exclusions.
     notes
         Statements for the user.
+    reference
+        Label of the epoch whose registered cloud this one was tied to on stable areas; its error is part of the covariance. None for
+        targets.
     """
 
     transformation: Transformation
@@ -196,6 +205,12 @@ class Registration:
     redundancy: int
     exclusion_effect: float
     notes: tuple[str, ...]
+    reference: str | None = None
+
+    @classmethod
+    def own_frame(cls, origin: ArrayLike) -> Registration:
+        """The cloud's own frame is the datum that other epochs are tied to."""
+        return cls(Transformation.identity(origin), (), 1.0, 0, 0.0, ("no control, its cloud's own frame is the datum",))
 
     @property
     def excluded(self) -> tuple[str, ...]:

@@ -139,6 +139,23 @@ def tile_transform(tile_crs: CRS | None, survey_crs: str, corners: FloatArray, *
     return TileTransform(apply, f"{Path(source).name}: transformed from {_name(tile_crs)} to {survey_crs}, {heights}")
 
 
+def horizontal_transform(layer_crs: str | None, survey_crs: str, *, source: str | Path) -> Callable[[FloatArray], FloatArray] | None:
+    """(n, 2) positions of a vector layer to the survey's CRS; None where both are the same.
+
+    Raises
+    ------
+    CrsError
+        The layer has no CRS, or no exact transformation is known.
+    """
+    if not layer_crs:
+        raise CrsError("has no CRS", source=source, remedy=f"Save the layer with its CRS, for example {survey_crs}.")
+    flat_from, flat_to = _horizontal(parse_crs(layer_crs)), _horizontal(parse_crs(survey_crs))
+    if _equal(flat_from, flat_to):
+        return None
+    apply = _transformer(flat_from, flat_to, source)
+    return lambda points: apply(np.column_stack([points, np.zeros(len(points))]))[:, :2]
+
+
 def crs_text(crs: CRS | None) -> str:
     """What to write into survey.toml for a tile's CRS: a code of its horizontal part, LOCAL for a site frame, else WKT; empty for none."""
     if crs is None:

@@ -57,7 +57,7 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
     labels = sorted({str(row["epoch"]) for row in rows}, key=lambda label: _time_of(rows, label, units))
     if len(labels) < 2:
         raise InputError(f"holds {len(labels)} epoch", source=units, remedy="Give the units of at least two epochs.")
-    transformations = _transformations(registrations)
+    transformations, references = _transformations(registrations)
     for label in labels:
         if label not in transformations:
             feedback.info(f"{label}: no registration, its cloud's frame is taken as registered")
@@ -67,6 +67,11 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
     epochs = [
         _fitted_epoch(label, _time_of(rows, label, units), fits[label], transformations.get(label), kinds, origin, units)
         for label in labels
+    ]
+    # where the epoch it was tied to has no units here, its error counts as the epoch's own
+    epochs = [
+        replace(epoch, tied_to=labels.index(references[epoch.label])) if references.get(epoch.label) in labels else epoch
+        for epoch in epochs
     ]
     types = list(kinds.values())
     result = track(epochs, types)
@@ -217,16 +222,18 @@ def _time_of(rows: Sequence[Mapping[str, Any]], label: str, source: Path) -> dat
     return value if value.tzinfo is not None else value.replace(tzinfo=UTC)
 
 
-def _transformations(registrations: Sequence[Path]) -> dict[str, Transformation]:
-    """Transformation by epoch label."""
+def _transformations(registrations: Sequence[Path]) -> tuple[dict[str, Transformation], dict[str, str]]:
+    """Transformations, and the labels of the epochs that some were tied to on stable areas, by epoch label."""
     from .result_tables import read_layer_rows
 
-    found = {}
+    found, references = {}, {}
     for path in registrations:
         for row in read_layer_rows(path, "epochs"):
             if row.get("transformation"):
                 found[str(row["label"])] = Transformation.from_record(json.loads(row["transformation"]))
-    return found
+            if row.get("reference_epoch"):
+                references[str(row["label"])] = str(row["reference_epoch"])
+    return found, references
 
 
 def _kinds(rows: Sequence[Mapping[str, Any]], source: Path) -> dict[str, UnitType]:

@@ -35,8 +35,6 @@ CONFIRM_MOVE_HEIGHTS, CONFIRM_TURN = 0.1, math.radians(10)
 AMBIGUOUS_MARGIN = math.radians(12)
 """Leg numbers are ambiguous where the next best numbering turns less than this more."""
 MAX_COMMON_SHIFT_HEIGHTS = 1.5
-RELOCATION_HEIGHTS = 6.0
-"""Farthest a lost unit is looked for."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,24 +163,6 @@ def common_shift(before: FloatArray, after: FloatArray, height: float) -> FloatA
     if len(members) < max(3, 0.3 * min(len(before), len(after))):
         return np.zeros(3)
     return np.asarray(np.median(members, axis=0))
-
-
-def relocations(
-    lost: Sequence[Pose], new: Sequence[Pose], lost_kinds: Sequence[int], new_kinds: Sequence[int], height: float
-) -> list[tuple[int, int]]:
-    """Pairs (lost, new) that are one unit carried away by more than H.
-
-    Waves carry units down the slope: a new unit of the same type within reach and not above the place of the lost one is taken for it;
-    a new unit higher up was placed by a crane. Units carry no names, so this remains an inference.
-    """
-    if not lost or not new:
-        return []
-    a, b = np.array([p.centre for p in lost]), np.array([p.centre for p in new])
-    away = np.linalg.norm(b[None] - a[:, None], axis=2)
-    possible = (away <= RELOCATION_HEIGHTS * height) & (b[None, :, 2] < a[:, None, 2])
-    possible &= np.asarray(lost_kinds)[:, None] == np.asarray(new_kinds)[None]
-    cost = np.where(possible, away, 1e6)
-    return [(int(i), int(j)) for i, j in zip(*linear_sum_assignment(cost), strict=True) if possible[i, j]]
 
 
 def _match(

@@ -156,17 +156,22 @@ def feature_rows(
     return rows
 
 
-def epoch_row(
-    plan: EpochPlan, record: RunRecord, transformation: Mapping[str, Any] | None, sigma0: float | None, extra: Mapping[str, Any]
-) -> dict[str, Any]:
-    """Row of layer ``epochs``; no transformation means that the cloud's own frame was kept."""
+def epoch_row(plan: EpochPlan, record: RunRecord, registration: Registration | None, extra: Mapping[str, Any]) -> dict[str, Any]:
+    """Row of layer ``epochs``; no registration means that the cloud's own frame was kept and nothing was tied to it."""
+    reference = None if registration is None else registration.reference
+    if reference is not None:
+        datum = "stable areas"
+    else:
+        datum = "control" if registration is not None and registration.residuals else "cloud"
     return {
         "label": plan.epoch.label,
         "time": plan.epoch.time,
         "tiles": json.dumps([tile.path.name for tile in plan.tiles]),
         "points": plan.points,
-        "transformation": None if transformation is None else json.dumps(transformation),
-        "sigma0": sigma0,
+        "transformation": None if registration is None else json.dumps(registration.transformation.as_record()),
+        "sigma0": None if registration is None else registration.sigma0,
+        "datum": datum,
+        "reference_epoch": reference,
         "software": f"tetratrack {software_version()}",
         "settings": record.of_epoch(plan.epoch, extra),
     }

@@ -40,7 +40,7 @@ class RunRecord:
     Attributes
     ----------
     checksums
-        SHA-256 by file: survey.toml, tiles and CSV files.
+        SHA-256 by file: survey.toml, tiles, CSV files and the layer of stable areas.
     seed
         Of the random draws.
     settings
@@ -75,14 +75,18 @@ def record_run(survey: Survey, seed: int, settings: Mapping[str, Any]) -> RunRec
     InputError
         A file cannot be read.
     """
-    files = [survey.path]
+    files = [survey.path, *([] if survey.stable_areas is None else [survey.stable_areas])]
     for epoch in survey.epochs:
         files += epoch.files
     files = list(dict.fromkeys(files))
     # reading is what takes the time, and hashing releases the interpreter's lock
     with ThreadPoolExecutor(4) as pool:
         sums = list(pool.map(checksum, files))
-    return RunRecord(dict(zip(files, sums, strict=True)), seed, settings)
+    checksums = dict(zip(files, sums, strict=True))
+    if survey.stable_areas is not None:
+        areas = {"name": survey.stable_areas.name, "sha256": checksums[survey.stable_areas]}
+        settings = {**settings, "stable_areas": areas}
+    return RunRecord(checksums, seed, settings)
 
 
 def library_versions() -> dict[str, str]:

@@ -151,6 +151,7 @@ LAYERS: dict[str, Layer] = {
                 ),
                 Field("nearest_centre", "real", "distance to the nearest other unit's centre in the epoch; below 0.5 H: a duplicate", "m"),
                 Field("overlap_share", "real", "largest share of the unit's volume inside another unit that counts in the epoch, 0 to 1"),
+                Field("may_be", "text", "of a lost or new unit: unit_ids of new or lost ones that it may be; nothing decides between them"),
             ),
         ),
         Layer(
@@ -314,6 +315,8 @@ LAYERS: dict[str, Layer] = {
                 Field("points", "integer", "points read"),
                 Field("transformation", "text", "JSON: seven parameters cloud to control frame, their covariance and reduction points"),
                 Field("sigma0", "real", "standard deviation of unit weight of the registration"),
+                Field("datum", "text", "what the epoch's frame hangs on: control, stable areas, or cloud (its own frame was kept)"),
+                Field("reference_epoch", "text", "epoch it was tied to on stable areas: displacements are relative to that one"),
                 Field("software", "text", "name and version of the software"),
                 Field("settings", "text", "JSON: settings, checksums of all inputs, versions and seed"),
             ),

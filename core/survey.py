@@ -97,6 +97,8 @@ class Survey:
         In order of time.
     sections
         Checked values of the optional sections, by section and key, with defaults filled in.
+    stable_areas
+        Polygon layer of surfaces that tie epochs without control to the reference epoch, or None.
     """
 
     path: Path
@@ -106,11 +108,17 @@ class Survey:
     units: tuple[SurveyUnit, ...]
     epochs: tuple[Epoch, ...]
     sections: Mapping[str, Mapping[str, Any]]
+    stable_areas: Path | None = None
 
     @property
     def unit(self) -> UnitType:
         """Nominal geometry of the first type of unit."""
         return self.units[0].type
+
+    @property
+    def reference(self) -> Epoch:
+        """Epoch that epochs without control are tied to: the earliest with control, else the first."""
+        return next((epoch for epoch in self.epochs if epoch.control is not None), self.epochs[0])
 
     def epoch(self, label: str) -> Epoch:
         """Epoch of a label."""
@@ -159,6 +167,12 @@ SECTIONS: dict[str, dict[str, Key]] = {
         "name": Key("text", "name of the site", '"north breakwater"', required=True),
         "crs": Key("text", 'projected (or compound) CRS of all results; "LOCAL" for a lab frame in metres', '"EPSG:32650"', required=True),
         "description": Key("text", "anything worth telling", '"UAV laser scanning"', default=""),
+        "stable_areas": Key(
+            "file",
+            "polygon layer around surfaces that do not move (crown wall, deck): ties epochs without control to the earliest with control, "
+            "or to the first",
+            '"stable_areas.gpkg"',
+        ),
     },
     "unit": {
         "type": Key("text", 'type of unit: "tetrapod", or a catalogue name such as "tetrapod 8 t"', '"tetrapod"', required=True),
@@ -329,6 +343,7 @@ class _Reader:
             tuple(self._unit(index, values) for index, values in enumerate(checked["unit"])),
             tuple(sorted(epochs, key=lambda epoch: epoch.time)),
             optional,
+            head["stable_areas"],
         )
 
     def _tables(self, section: str, value: Any) -> list[Mapping[str, Any]]:

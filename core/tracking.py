@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,7 @@ from scipy.linalg import block_diag
 from scipy.spatial import cKDTree
 
 from .congruence import Congruence, NullModel, calibrate, congruence_of
-from .control import Transformation, rigid_jacobian
+from .control import Transformation
 from .cross_check import CrossCheck, cross_check
 from .displacement import (
     SECONDS_PER_YEAR,
@@ -32,10 +32,11 @@ from .displacement import (
     velocity,
 )
 from .feature_points import FEATURES, FeaturePoints, feature_points
-from .identity import FoundUnits, Track, identify, relocations
+from .identity import FoundUnits, Track, identify
 from .pose import Pose
 from .presence import look_up
 from .strip_offsets import JointAdjustment, UnitSighting, adjust_jointly
+from .surface_texture import likeness, texture
 from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
@@ -43,6 +44,8 @@ IntArray = NDArray[np.int64]
 
 DATUMS = ("stable", "control")
 MIN_RECOVERED_POINTS = 60
+DOUBTFUL_MOVE_HEIGHTS = 0.2
+"""Motion above which another unit fits into the place."""
 RECOVERED_SCORE = 0.8
 """Probability below which one detection does not vouch for the unit in an epoch where it was not detected."""
 
@@ -95,6 +98,10 @@ class TrackedEpoch:
         Transformation to control, its reduction point ``origin_to`` already less the common one; None without control.
     redundancy
         Of the registration.
+    tied_to
+        Index of the epoch that this one was registered to on stable areas, so that it shares that one's error; None for control.
+    offset_variance
+        Variance of the mean offset of the epoch's strips or stations per axis, square metres: what a registration cannot know.
     """
 
     label: str
@@ -102,6 +109,16 @@ class TrackedEpoch:
     units: tuple[FittedUnit, ...]
     registration: Transformation | None
     redundancy: int = 0
+    tied_to: int | None = None
+    offset_variance: float = 0.0
+
+    @property
+    def placement(self) -> Transformation | None:
+        """The registration with the mean offset of the strips, as a common shift, added to its covariance."""
+        if self.registration is None:
+            return None
+        offset = np.diag([self.offset_variance] * 3 + [0.0] * 4)
+        return replace(self.registration, covariance=self.registration.covariance + offset)
 
 
 @dataclass(frozen=True, eq=False)
@@ -219,7 +236,7 @@ def track(epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], surrounding
     states, recovered = _look_for_missing(epochs, tracks, seen, units, identities.shifts, surroundings)
     for unit, epoch, sighting in recovered:
         seen[unit][epoch] = sighting
-    tracks, seen, states = _join_relocated(tracks, seen, states, units, len(epochs))
+    tracks, seen, states = _join_relocated(tracks, seen, states, len(epochs))
     joint, numbers = _adjust(seen)
     epochs = [_with_mean_offset(e, k, joint) for k, e in enumerate(epochs)]
     tracked = [_states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs)) for k in range(len(tracks))]
@@ -229,7 +246,7 @@ def track(epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], surrounding
     return Tracking(
         tuple(t.kind for t in tracks),
         tuple(tracked),
-        tuple(e.registration for e in epochs),
+        tuple(e.placement for e in epochs),
         pairs,
         joint,
         checks,
@@ -307,35 +324,105 @@ def _look_for_missing(
     return states, recovered
 
 
+@dataclass(frozen=True, eq=False)
+class _Followed:
+    """A track with its sightings and what was found where it was not seen."""
+
+    track: Track
+    seen: dict[int, FittedUnit]
+    states: dict[int, str]
+
+    def until(self, epoch: int) -> _Followed:
+        """What happened before an epoch; in it another unit fills the place."""
+        return self._part(lambda e: e < epoch, {epoch: "empty"})
+
+    def since(self, epoch: int) -> _Followed:
+        """What happened from an epoch on; before it another unit filled the place."""
+        return self._part(lambda e: e >= epoch, {epoch - 1: "empty"})
+
+    def _part(self, within: Callable[[int], bool], states: dict[int, str]) -> _Followed:
+        t = self.track
+        track = Track(
+            {e: r for e, r in t.rows.items() if within(e)},
+            {e: s for e, s in t.symmetries.items() if within(e)},
+            frozenset(e for e in t.ambiguous if within(e)),
+            t.kind,
+            frozenset(e for e in t.relocated if within(e)),
+        )
+        return _Followed(
+            track, {e: s for e, s in self.seen.items() if within(e)}, states | {e: s for e, s in self.states.items() if within(e)}
+        )
+
+    def carried_to(self, arrived: _Followed, epoch: int, symmetry: FloatArray) -> _Followed:
+        """The unit and, from an epoch on, what it was found to be elsewhere, with the leg numbers of the first place."""
+        t, u = self.track, arrived.track
+        track = Track(
+            t.rows | u.rows,
+            t.symmetries | {e: s @ symmetry for e, s in u.symmetries.items()},
+            t.ambiguous | u.ambiguous,
+            t.kind,
+            t.relocated | u.relocated | {epoch},
+        )
+        states = {e: s for e, s in self.states.items() if e < epoch} | {e: s for e, s in arrived.states.items() if e > epoch}
+        return _Followed(track, self.seen | {e: _sighted(s, symmetry) for e, s in arrived.seen.items()}, states)
+
+    def moved_far(self, epoch: int) -> bool:
+        """Whether it moved by a good part of its height into this epoch."""
+        before = [e for e in self.seen if e < epoch]
+        if epoch not in self.seen or not before:
+            return False
+        last, now = self.seen[max(before)], self.seen[epoch]
+        return float(np.linalg.norm(now.pose.centre - last.pose.centre)) > DOUBTFUL_MOVE_HEIGHTS * now.shape.height
+
+
 def _join_relocated(
-    tracks: list[Track], seen: list[dict[int, FittedUnit]], states: list[dict[int, str]], units: Sequence[UnitType], epochs: int
+    tracks: list[Track], seen: list[dict[int, FittedUnit]], states: list[dict[int, str]], epochs: int
 ) -> tuple[list[Track], list[dict[int, FittedUnit]], list[dict[int, str]]]:
-    """Join a lost unit with a new one that it was carried to."""
-    height = max(unit.height for unit in units)
-    gone: set[int] = set()
+    """Join a unit that left its place with one that appeared elsewhere, where the relief of their surfaces proves them to be one.
+
+    Neither the place nor the size tells: waves carry units down, cranes put others on top, and moulded units differ in size by
+    millimetres. Without proof both stay what they are seen to be, lost and new. What seems to have moved far may be another unit in the
+    hole that the first one left: its track is parted where one of the two is recognised elsewhere.
+    """
+    followed = {k: _Followed(*parts) for k, parts in enumerate(zip(tracks, seen, states, strict=True)) if parts[1]}
     for epoch in range(1, epochs):
-        lost = [k for k in range(len(tracks)) if states[k].get(epoch) == "empty" and epoch - 1 in seen[k]]
-        new = [k for k in range(len(tracks)) if seen[k] and min(seen[k]) == epoch and states[k].get(epoch - 1) == "empty"]
-        pairs = relocations(
-            [seen[k][epoch - 1].pose for k in lost], [seen[k][epoch].pose for k in new],
-            [tracks[k].kind for k in lost], [tracks[k].kind for k in new], height,
-        )  # fmt: skip
-        for i, j in pairs:
-            old, arrived = lost[i], new[j]
-            t, u = tracks[old], tracks[arrived]
-            later = {e for e in seen[arrived] if e >= epoch}
-            tracks[old] = Track(
-                t.rows | {e: u.rows[e] for e in later if e in u.rows},
-                t.symmetries | u.symmetries,
-                t.ambiguous | u.ambiguous | {epoch},
-                t.kind,
-                t.relocated | {epoch},
-            )
-            seen[old] |= {e: seen[arrived][e] for e in later}
-            states[old] = {e: s for e, s in states[old].items() if e < epoch} | {e: s for e, s in states[arrived].items() if e > epoch}
-            gone.add(arrived)
-    keep = [k for k in range(len(tracks)) if k not in gone]
-    return [tracks[k] for k in keep], [seen[k] for k in keep], [states[k] for k in keep]
+        parted: dict[int, tuple[int, _Followed]] = {}
+        for k, whole in list(followed.items()):
+            if whole.moved_far(epoch):
+                later = max(followed) + 1
+                parted[k] = later, whole
+                followed[k], followed[later] = whole.until(epoch), whole.since(epoch)
+        pairs = _recognised(
+            {k: f.seen[max(f.seen)] for k, f in followed.items() if max(f.seen) < epoch},
+            {k: f.seen[epoch] for k, f in followed.items() if min(f.seen) == epoch},
+        )
+        for old, new, symmetry in pairs:
+            if old not in parted or parted[old][0] != new:
+                followed[old] = followed[old].carried_to(followed.pop(new), epoch, symmetry)
+        elsewhere = {old for old, new, _ in pairs if old not in parted or parted[old][0] != new}
+        for k, (later, whole) in parted.items():
+            if k not in elsewhere and later in followed and later not in elsewhere:
+                followed[k] = whole
+                del followed[later]
+    return [f.track for f in followed.values()], [f.seen for f in followed.values()], [f.states for f in followed.values()]
+
+
+def _recognised(left: dict[int, FittedUnit], came: dict[int, FittedUnit]) -> list[tuple[int, int, FloatArray]]:
+    """Pairs of a unit that left its place and one that came to another, proved by their relief, with the symmetry of the second."""
+    if not left or not came:
+        return []
+    textures = [{k: texture(s.points, s.sources, s.pose, s.shape) for k, s in units.items()} for units in (left, came)]
+    found = []
+    for old, new in product(left, came):
+        if left[old].kind == came[new].kind:
+            match = likeness(textures[0][old], textures[1][new], left[old].shape)
+            if match.same_unit:
+                found.append((match.lead, old, new, match.symmetry))
+    pairs: list[tuple[int, int, FloatArray]] = []
+    for _, old, new, symmetry in sorted(found, key=lambda item: -item[0]):
+        if all(old != a and new != b for a, b, _ in pairs):
+            pairs.append((old, new, symmetry))
+    return pairs
 
 
 def _adjust(seen: Sequence[dict[int, FittedUnit]]) -> tuple[JointAdjustment, dict[tuple[int, int], int]]:
@@ -370,13 +457,12 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
 
 
 def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
-    """The epoch with what its targets cannot know added to the registration: the mean offset of its strips, as a common shift."""
+    """The epoch with the variance of the mean offset of its strips."""
     offsets = np.array([offset for (e, _), offset in joint.offsets.items() if e == number]).reshape(-1, 3)
     if epoch.registration is None or len(offsets) < 2:
         return epoch
     variance = float(np.mean(np.sum(offsets**2, axis=0) / (len(offsets) - 1) / len(offsets)))
-    covariance = epoch.registration.covariance + np.diag([variance] * 3 + [0.0] * 4)
-    return replace(epoch, registration=replace(epoch.registration, covariance=covariance))
+    return replace(epoch, offset_variance=variance)
 
 
 def _states_of(
@@ -443,7 +529,7 @@ def _compare(
     vectors = np.array([b.positions[0] - a.positions[0] for a, b in zip(befores, afters, strict=True)]).reshape(-1, 3)
     own = np.array([relative_covariance(a, b, c)[0] for a, b, c in zip(befores, afters, joints, strict=True)]).reshape(-1, 3, 3)
     origin = centres[judged].mean(axis=0) if len(judged) else np.zeros(3)
-    prior = _common_prior(epochs[first].registration, epochs[second].registration, origin)
+    prior = _common_prior(epochs, first, second, origin)
     degrees = epochs[first].redundancy + epochs[second].redundancy
     congruence = congruence_of(vectors[judged], own[judged], centres[judged], prior, origin, height, degrees or math.inf)
     turn = np.array(turns).reshape(-1, 3)
@@ -512,15 +598,23 @@ def unit_shape(unit: UnitType, scale: float) -> UnitType:
     return replace(unit, radius=unit.radius * scale, leg_length=unit.leg_length * scale)
 
 
-def _common_prior(first: Transformation | None, second: Transformation | None, origin: FloatArray) -> FloatArray | None:
-    """(7, 7) covariance of the motion common to all units between two registered epochs, about ``origin``."""
-    if first is None or second is None:
-        return None
+def _common_prior(epochs: Sequence[TrackedEpoch], first: int, second: int, origin: FloatArray) -> FloatArray | None:
+    """(7, 7) covariance of the motion common to all units between two registered epochs, about ``origin``.
+
+    Epochs tied to the same one share the error of its registration, which drops out of their difference.
+    """
     total = np.zeros((7, 7))
-    for transformation in (first, second):
-        carry = np.eye(7)
-        carry[:3] = rigid_jacobian((origin - transformation.origin_to)[None])[0]
-        total += carry @ transformation.covariance @ carry.T
+    roots = []
+    for number in (first, second):
+        placement = epochs[number].placement
+        if placement is None:
+            return None
+        total += placement.covariance_at(origin)
+        tied_to = epochs[number].tied_to
+        roots.append(number if tied_to is None else tied_to)
+    shared = epochs[roots[0]].registration
+    if roots[0] == roots[1] and shared is not None:
+        total -= 2 * shared.covariance_at(origin)
     return total
 
 

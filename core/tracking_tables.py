@@ -66,6 +66,16 @@ def pose_covariance(tracking: Tracking, epoch: int, state: TrackedUnit) -> Float
     return covariance
 
 
+def may_be(tracking: Tracking, unit: int, epoch: int) -> list[int]:
+    """Units of the same type that a lost one may have become in an epoch, or that a new one may have been before."""
+    opposite = {"lost": "new", "new": "lost"}.get(tracking.units[unit][epoch].status)
+    return [
+        k
+        for k, states in enumerate(tracking.units)
+        if opposite and epoch in states and states[epoch].status == opposite and tracking.kinds[k] == tracking.kinds[unit]
+    ]
+
+
 def displacement_rows(
     tracking: Tracking, epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], names: Sequence[str], options: TableOptions
 ) -> tuple[list[Row], list[Row]]:
@@ -261,6 +271,8 @@ def unit_tables(
                 "height": unit.height,
                 "status": state.status,
             }
+            others = may_be(tracking, k, epoch)
+            base["may_be"] = " ".join(names[j] for j in others) or None
             if state.pose is None:
                 unit_rows.append(base | {"geometry": None})
                 continue

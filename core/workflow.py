@@ -390,13 +390,13 @@ def _collected(
     return EpochUnits(plan, {name: values[order] for name, values in table.items()}, places[order], files, units)
 
 
-def register_epochs(survey: Survey, feedback: Feedback) -> dict[str, Registration]:
-    """Registration of every epoch that has control, by label.
+def register_epochs(survey: Survey, plans: Sequence[EpochPlan], feedback: Feedback) -> dict[str, Registration]:
+    """Registration of every epoch that has control, by label; with stable areas also of the others, to the reference epoch.
 
     Raises
     ------
     InputError
-        Control or targets cannot be used.
+        Control, targets or stable areas cannot be used.
     """
     from .control import grid_scale, read_control, read_targets, register, to_survey_frame
 
@@ -410,6 +410,61 @@ def register_epochs(survey: Survey, feedback: Feedback) -> dict[str, Registratio
         if survey.crs != LOCAL:
             scale = grid_scale(survey.crs, surveyed.coordinates.mean(axis=0))
             feedback.info(f"{epoch.label}: scale factor grid over ground is {scale:.6f}; ground distances are not applied to coordinates")
+    return {**found, **tie_epochs(survey, plans, found, feedback)}
+
+
+def tie_epochs(
+    survey: Survey, plans: Sequence[EpochPlan], registered: Mapping[str, Registration], feedback: Feedback
+) -> dict[str, Registration]:
+    """Registration of epochs without control to the cloud of the reference epoch, on the survey's stable areas; none without areas.
+
+    Where no epoch has control, the reference epoch's own frame is the datum, and its registration is the identity.
+
+    Raises
+    ------
+    InputError
+        The areas cannot be used; it names the epoch.
+    """
+    if survey.stable_areas is None:
+        return {}
+    loose = [plan for plan in plans if plan.epoch.label not in registered and plan.epoch is not survey.reference]
+    if not loose:
+        feedback.info(f"{survey.stable_areas.name} is not used: every epoch has control")
+        return {}
+    import shapely
+
+    from .control import Registration
+    from .stable_areas import REACH_HEIGHTS, VOXEL_HEIGHTS, read_areas, read_stable_points, register_on_areas
+
+    areas = read_areas(survey.stable_areas, survey.crs)
+    height = max(unit.type.height for unit in survey.units)
+    root = next(plan for plan in plans if plan.epoch is survey.reference)
+    label = root.epoch.label
+    origin = np.floor(np.array([*shapely.bounds(areas)[:2], root.tiles[0].low[2]]))
+    found = {} if label in registered else {label: Registration.own_frame(origin)}
+    known = {**registered, **found}[label].transformation
+
+    def points(plan: EpochPlan, inside: shapely.Geometry) -> FloatArray:
+        return read_stable_points(
+            plan.tiles, survey.crs, plan.epoch.tiles_crs, inside, origin, VOXEL_HEIGHTS * height, feedback.is_cancelled
+        )
+
+    def to_cloud(positions: FloatArray) -> FloatArray:
+        return np.asarray(known.invert(np.column_stack([positions, np.full(len(positions), known.origin_to[2])]))[:, :2])
+
+    # the other cloud may lie anywhere within reach of its registered place
+    around = shapely.transform(shapely.buffer(areas, REACH_HEIGHTS * height), to_cloud)
+    reference = known.apply(points(root, around) + origin) - origin
+    for plan in loose:
+        feedback.check()
+        feedback.progress(0.0, f"registering {plan.epoch.label} on stable areas")
+        try:
+            tied = register_on_areas(reference, points(plan, areas), origin, height)
+        except InputError as error:
+            raise InputError(error.problem, source=survey.stable_areas, where=f"epoch {plan.epoch.label}", remedy=error.remedy) from error
+        relative = tied.transformation
+        total = relative.covariance + known.covariance_at(relative.origin_to)
+        found[plan.epoch.label] = replace(tied, transformation=replace(relative, covariance=total), reference=label)
     return found
 
 
@@ -491,25 +546,29 @@ def run_register(survey: Survey, output: Path, options: RunOptions, feedback: Fe
     check_output(output)
     plans = plan_survey(survey, feedback.part(0, 0.5))
     record = record_run(survey, options.seed, {"step": "register"})
-    registrations = register_epochs(survey, feedback)
+    registrations = register_epochs(survey, plans, feedback.part(0.5, 1))
     if not registrations:
-        raise InputError("no epoch names control and targets", source=survey.path, remedy="Add control and targets to an [[epoch]].")
+        raise InputError(
+            "no epoch names control and targets",
+            source=survey.path,
+            remedy="Add control and targets to an [[epoch]], or stable_areas to [survey].",
+        )
     tables: Tables = {"control_residuals": [], "epochs": []}
     squares, outliers = [], 0
     for plan in plans:
         registration = registrations.get(plan.epoch.label)
         if registration is None:
-            tables["epochs"].append(epoch_row(plan, record, None, None, {}))
+            tables["epochs"].append(epoch_row(plan, record, None, {}))
             continue
         for note in registration.notes:
             feedback.info(f"{plan.epoch.label}: {note}")
         tables["control_residuals"] += control_rows(plan.epoch.label, registration)
-        transformation = registration.transformation.as_record()
-        tables["epochs"].append(epoch_row(plan, record, transformation, registration.sigma0, {"redundancy": registration.redundancy}))
+        tables["epochs"].append(epoch_row(plan, record, registration, {"redundancy": registration.redundancy}))
         squares += [float(np.sum(r.residual**2)) for r in registration.residuals if r.used]
         outliers += len(registration.excluded)
     write_result(output, survey.crs, tables)
-    return {"output": str(output), "rmse": math.sqrt(sum(squares) / len(squares)), "outliers": outliers}
+    rmse = math.sqrt(sum(squares) / len(squares)) if squares else None
+    return {"output": str(output), "rmse": rmse, "outliers": outliers}
 
 
 def run_features(units: Path, output: Path, feedback: Feedback) -> dict[str, Any]:
@@ -578,7 +637,7 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         options.seed,
         {"step": "run", "survey": survey.name, "unit": [repr(unit) for unit in survey.units], "leg_length": survey.unit.leg_length},
     )
-    registrations = register_epochs(survey, feedback)
+    registrations = register_epochs(survey, plans, feedback)
     with job_runner(output, options, feedback) as runner:
         fitted, calibration = find_and_fit(survey, plans, record, runner, feedback.part(start, start := start + SHARES["fit"]))
         feedback.progress(start, "tracking units")
@@ -599,15 +658,8 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
                 tables["control_residuals"] += control_rows(label, registration)
                 for note in registration.notes:
                     feedback.info(f"{label}: {note}")
-            tables["epochs"].append(
-                epoch_row(
-                    epoch.plan,
-                    record,
-                    None if registration is None else registration.transformation.as_record(),
-                    None if registration is None else registration.sigma0,
-                    summary["epochs"][label] | {"calibration": calibration, "quality": qualities[label]},
-                )
-            )
+            extra = summary["epochs"][label] | {"calibration": calibration, "quality": qualities[label]}
+            tables["epochs"].append(epoch_row(epoch.plan, record, registration, extra))
         feedback.check()
         feedback.progress(1 - SHARES["write"], "writing")
         write_result(output, survey.crs, tables)
@@ -674,7 +726,8 @@ def track_tables(
 
     centres = np.concatenate([epoch.table["poses"][:, :3] for epoch in fitted])
     origin = np.round(centres.mean(axis=0)) if len(centres) else np.zeros(3)
-    placed = [_tracked_epoch(e, registrations.get(e.plan.epoch.label), units, origin) for e in fitted]
+    labels = [e.plan.epoch.label for e in fitted]
+    placed = [_tracked_epoch(e, registrations.get(e.plan.epoch.label), units, origin, labels) for e in fitted]
     result = track(placed, units, _surroundings(survey, fitted, registrations, origin, feedback))
     names = unit_names(len(result.units))
     limits = survey.sections["displacement"]
@@ -714,7 +767,9 @@ def track_tables(
     return tables, {"units": len(names), "moved": len(last), "epochs": settings}
 
 
-def _tracked_epoch(epoch: EpochUnits, registration: Registration | None, units: tuple[UnitType, ...], origin: FloatArray) -> TrackedEpoch:
+def _tracked_epoch(
+    epoch: EpochUnits, registration: Registration | None, units: tuple[UnitType, ...], origin: FloatArray, labels: Sequence[str]
+) -> TrackedEpoch:
     """Units of an epoch with their points in the control frame, less the common reduction point."""
     from .control import Transformation
     from .tracking import FittedUnit, TrackedEpoch
@@ -740,6 +795,7 @@ def _tracked_epoch(epoch: EpochUnits, registration: Registration | None, units: 
         tuple(unit for unit in found if unit is not None),
         None if known is None else replace(known, origin_to=known.origin_to - origin),
         0 if registration is None else registration.redundancy,
+        None if registration is None or registration.reference is None else labels.index(registration.reference),
     )
 
 
@@ -786,7 +842,7 @@ def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Fee
             tables["units"] += unit_rows(epoch, provisional_ids(len(epoch)))
         qualities = state_quality(tables["units"], epochs[0].units, [epoch.plan.epoch.label for epoch in epochs], feedback)
         for epoch in epochs:
-            tables["epochs"].append(epoch_row(epoch.plan, record, None, None, {"quality": qualities[epoch.plan.epoch.label]}))
+            tables["epochs"].append(epoch_row(epoch.plan, record, None, {"quality": qualities[epoch.plan.epoch.label]}))
         feedback.check()
         write_result(output, survey.crs, tables)
     return {"output": str(output), "units": sum(int((e.table["status"] == "found").sum()) for e in epochs), "epochs": len(epochs)}
@@ -809,7 +865,7 @@ def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOption
         qualities = state_quality(tables["units"], epochs[0].units, [epoch.plan.epoch.label for epoch in epochs], feedback)
         for epoch in epochs:
             extra = {"calibration": calibration, "quality": qualities[epoch.plan.epoch.label]}
-            tables["epochs"].append(epoch_row(epoch.plan, record, None, None, extra))
+            tables["epochs"].append(epoch_row(epoch.plan, record, None, extra))
         feedback.check()
         write_result(output, survey.crs, tables)
     return {"output": str(output), "units": sum(len(e) for e in epochs), "epochs": len(epochs)}

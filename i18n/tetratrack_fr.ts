@@ -240,6 +240,11 @@
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />
+      <source>Polygons around surfaces that do not move, such as the crown wall: they tie epochs without control to the earliest with control, or to the first.</source>
+      <translation>Polygones autour de surfaces qui ne bougent pas, comme le mur de couronnement : ils rattachent les époques sans points d'appui à la première qui en a, ou à la première de toutes.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
       <source>Blocks of the survey worked on at the same time; each takes about 1 GB of memory.</source>
       <translation>Secteurs du levé traités en même temps ; chacun prend environ 1 Go de mémoire.</translation>
     </message>
@@ -325,6 +330,11 @@
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />
+      <source>Stable areas</source>
+      <translation>Zones stables</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
       <source>Worker processes</source>
       <translation>Processus de calcul</translation>
     </message>
@@ -387,6 +397,11 @@
       <location filename="../algorithms/inputs.py" />
       <source>{where}: there is no file or layer {path}.</source>
       <translation>{where} : il n'y a pas de fichier ou de couche {path}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{layer} cannot be written: {reason}.</source>
+      <translation>{layer} ne peut pas être écrit : {reason}.</translation>
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />

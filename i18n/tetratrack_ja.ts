@@ -240,6 +240,11 @@
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />
+      <source>Polygons around surfaces that do not move, such as the crown wall: they tie epochs without control to the earliest with control, or to the first.</source>
+      <translation>上部工などの動かない面を囲むポリゴン。基準点のない時期を、基準点のある最も早い時期、なければ最初の時期に結び付けます。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
       <source>Blocks of the survey worked on at the same time; each takes about 1 GB of memory.</source>
       <translation>同時に処理する測量の区画数。1つにつき約1 GBのメモリを使う。</translation>
     </message>
@@ -325,6 +330,11 @@
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />
+      <source>Stable areas</source>
+      <translation>安定領域</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
       <source>Worker processes</source>
       <translation>ワーカープロセス数</translation>
     </message>
@@ -387,6 +397,11 @@
       <location filename="../algorithms/inputs.py" />
       <source>{where}: there is no file or layer {path}.</source>
       <translation>{where}:ファイルまたはレイヤ {path} がありません。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{layer} cannot be written: {reason}.</source>
+      <translation>{layer} を書き込めません：{reason}。</translation>
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />

@@ -240,6 +240,11 @@
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />
+      <source>Polygons around surfaces that do not move, such as the crown wall: they tie epochs without control to the earliest with control, or to the first.</source>
+      <translation>상치콘크리트처럼 움직이지 않는 면을 둘러싼 폴리곤: 기준점이 없는 시기를 기준점이 있는 가장 이른 시기, 없으면 첫 시기에 연결합니다.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
       <source>Blocks of the survey worked on at the same time; each takes about 1 GB of memory.</source>
       <translation>동시에 처리하는 측량 구획 수. 하나에 메모리 약 1 GB가 든다.</translation>
     </message>
@@ -325,6 +330,11 @@
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />
+      <source>Stable areas</source>
+      <translation>안정 영역</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
       <source>Worker processes</source>
       <translation>작업 프로세스</translation>
     </message>
@@ -387,6 +397,11 @@
       <location filename="../algorithms/inputs.py" />
       <source>{where}: there is no file or layer {path}.</source>
       <translation>{where}: 파일 또는 레이어 {path}이(가) 없습니다.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{layer} cannot be written: {reason}.</source>
+      <translation>{layer}을(를) 쓸 수 없습니다: {reason}.</translation>
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />

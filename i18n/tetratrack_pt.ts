@@ -240,6 +240,11 @@
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />
+      <source>Polygons around surfaces that do not move, such as the crown wall: they tie epochs without control to the earliest with control, or to the first.</source>
+      <translation>Polígonos em torno de superfícies que não se movem, como o muro de coroamento: ligam as épocas sem controlo à primeira que o tem, ou à primeira de todas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
       <source>Blocks of the survey worked on at the same time; each takes about 1 GB of memory.</source>
       <translation>Partes do levantamento processadas ao mesmo tempo; cada uma ocupa cerca de 1 GB de memória.</translation>
     </message>
@@ -325,6 +330,11 @@
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />
+      <source>Stable areas</source>
+      <translation>Áreas estáveis</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
       <source>Worker processes</source>
       <translation>Processos de trabalho</translation>
     </message>
@@ -387,6 +397,11 @@
       <location filename="../algorithms/inputs.py" />
       <source>{where}: there is no file or layer {path}.</source>
       <translation>{where}: não existe o ficheiro ou camada {path}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{layer} cannot be written: {reason}.</source>
+      <translation>{layer} não pode ser escrito: {reason}.</translation>
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />

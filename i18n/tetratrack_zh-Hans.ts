@@ -240,6 +240,11 @@
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />
+      <source>Polygons around surfaces that do not move, such as the crown wall: they tie epochs without control to the earliest with control, or to the first.</source>
+      <translation>围绕不动表面（如胸墙）的多边形：将没有控制点的期次与最早有控制点的期次（若无则与第一期）连接。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
       <source>Blocks of the survey worked on at the same time; each takes about 1 GB of memory.</source>
       <translation>同时处理的测区块数;每块约占 1 GB 内存。</translation>
     </message>
@@ -325,6 +330,11 @@
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />
+      <source>Stable areas</source>
+      <translation>稳定区域</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
       <source>Worker processes</source>
       <translation>工作进程数</translation>
     </message>
@@ -387,6 +397,11 @@
       <location filename="../algorithms/inputs.py" />
       <source>{where}: there is no file or layer {path}.</source>
       <translation>{where}:没有文件或图层 {path}。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/inputs.py" />
+      <source>{layer} cannot be written: {reason}.</source>
+      <translation>无法写入 {layer}：{reason}。</translation>
     </message>
     <message>
       <location filename="../algorithms/inputs.py" />

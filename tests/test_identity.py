@@ -1,11 +1,11 @@
-"""Identity over epochs: ids, leg numbers through the symmetry, hidden units, frames that differ, relocation."""
+"""Identity over epochs: ids, leg numbers through the symmetry, hidden units, frames that differ."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from tetratrack.core.identity import FoundUnits, common_shift, identify, nearest_labels, relocations
+from tetratrack.core.identity import FoundUnits, common_shift, identify, nearest_labels
 from tetratrack.core.pose import Pose
 from tetratrack.core.unit_types import UnitType
 
@@ -125,11 +125,3 @@ def test_weak_evidence_confirms_a_unit_but_starts_no_identity() -> None:
     tracks = identify([found(poses), found([poses[0], far, *poses[1:]], certain=[False, False] + [True] * 9)], [UNIT]).tracks
     assert next(t for t in tracks if t.rows.get(0) == 0).rows == {0: 0, 1: 0}
     assert next(t for t in tracks if t.rows == {1: 1})
-
-
-def test_relocation_goes_down_the_slope() -> None:
-    lost = [Pose(np.array([0.0, 0, 5]), np.eye(3)), Pose(np.array([9.0, 0, 5]), np.eye(3))]
-    new = [Pose(np.array([3.0, 4, 1]), np.eye(3)), Pose(np.array([9.0, 1, 7]), np.eye(3)), Pose(np.array([60.0, 0, 0]), np.eye(3))]
-    assert relocations(lost, new, [0, 0], [0, 0, 0], 2.3) == [(0, 0)]
-    assert relocations(lost, new, [0, 0], [1, 1, 1], 2.3) == []
-    assert relocations([], new, [], [0, 0, 0], 2.3) == []
