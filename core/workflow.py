@@ -627,8 +627,6 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
     Cancelled
         The user ended the run; nothing is written.
     """
-    from .gap_rows import gap_rows, look_into_tiles
-
     check_output(output)
     start = SHARES["read"]
     plans = plan_survey(survey, feedback.part(0, start))
@@ -642,6 +640,9 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         fitted, calibration = find_and_fit(survey, plans, record, runner, feedback.part(start, start := start + SHARES["fit"]))
         feedback.progress(start, "tracking units")
         tables, summary = track_tables(survey, fitted, fitted[0].units, registrations, feedback)
+        # compiled code: not before there is something to look at
+        from .gap_rows import gap_rows, look_into_tiles
+
         feedback.progress(1 - 3 * SHARES["write"], "looking for gaps")
         when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
         look = look_into_tiles(survey, plans, fitted[0].units, registrations, feedback)

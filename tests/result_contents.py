@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from tetratrack.core.result_tables import read_layer_rows
 
-COMPUTED = ("units", "feature_points", "displacements", "displacements_other", "control_residuals", "check_residuals", "epochs")
+COMPUTED = ("units", "gaps", "feature_points", "displacements", "displacements_other", "control_residuals", "check_residuals", "epochs")
 
 
 def contents(path: Path, *, without_inputs: bool = False) -> dict[str, list[dict[str, Any]]]:

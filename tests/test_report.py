@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 import json
 import re
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
@@ -92,6 +94,17 @@ def test_pdf_has_pages(reviewed: Path) -> None:
     content = output.read_bytes()
     assert content.startswith(b"%PDF-")
     assert len(content) > 50_000
+
+
+def test_quality_of_the_units_is_shown_by_epoch(reviewed: Path, tmp_path: Path) -> None:
+    quality = {"found": 118, "uncertain": 2, "distance_median": 0.0043, "overlap_share_max": 0.004, "close_pairs": 0, "gaps": 7}
+    with closing(sqlite3.connect(reviewed)) as connection, connection:
+        (settings,) = connection.execute("SELECT settings FROM epochs WHERE label = ?", (PAIR.epoch_to,)).fetchone()
+        settings = json.dumps(json.loads(settings) | {"quality": quality})
+        connection.execute("UPDATE epochs SET settings = ? WHERE label = ?", (settings, PAIR.epoch_to))
+    write_report(reviewed, tmp_path / "r.html", ReportOptions(sections=("quality",)))
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert re.search(rf'{PAIR.epoch_to}</td><td class="n">118</td><td class="n">2</td><td class="n">4.3</td><td class="n">0.4 %', page)
 
 
 def test_sections_and_pair_are_chosen(reviewed: Path, tmp_path: Path) -> None:

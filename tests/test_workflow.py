@@ -49,6 +49,22 @@ def retiled(tiny: Path, folder: Path, split: Callable[[np.ndarray, np.ndarray], 
     return replace(survey, epochs=tuple(epochs))
 
 
+def test_every_unit_and_epoch_states_its_quality(result: Path) -> None:
+    units = [row for row in read_layer_rows(result, "units") if row["geom"] is not None]
+    fitted = [row for row in units if row["distance_median"] is not None]
+    assert len(fitted) > 0.8 * len(units)
+    for row in fitted:
+        assert 0 < row["distance_median"] < 0.02 * row["height"]
+        assert 0 < row["supported"] <= 1
+    assert all(row["nearest_centre"] > 0.5 * row["height"] and 0 <= row["overlap_share"] < 0.01 for row in units)
+    for epoch in read_layer_rows(result, "epochs"):
+        quality = json.loads(epoch["settings"])["quality"]
+        own = [row for row in units if row["epoch"] == epoch["label"]]
+        assert quality["found"] + quality["uncertain"] == len(own)
+        assert quality["close_pairs"] == 0
+        assert quality["gaps"] == sum(row["epoch"] == epoch["label"] for row in read_layer_rows(result, "gaps"))
+
+
 def test_layers_belong_together(result: Path, tiny: Path) -> None:
     layers = contents(result)
     units = {(row["unit_id"], row["epoch"]): row for row in layers["units"]}
