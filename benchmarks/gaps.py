@@ -56,7 +56,7 @@ def judge(folder: Path, result: Path) -> list[str]:
     height = survey.unit.height
     plans = plan_survey(survey)
     units = tuple(unit.type for unit in survey.units)
-    look = look_into_tiles(survey, plans, units, register_epochs(survey, Feedback()), Feedback())
+    look = look_into_tiles(survey, plans, units, register_epochs(survey, plans, Feedback()), Feedback())
     rows: list[Mapping[str, Any]] = [row | {"geometry": row["geom"]} for row in read_layer_rows(result, "units")]
     when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
     labels = [label for label, _ in when]

@@ -14,17 +14,17 @@ from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 from .aggregation import assign
-from .assembly import NUMBER_OF_CELLS
-from .pose import Pose
+from .assembly import NUMBER_OF_CELLS, refine
+from .kernels import kernel
+from .neighbourhood import build_grid
 from .quality import CLOSEST_HEIGHTS, REACH_HEIGHTS, nearest_centres
-from .surface_elements import THINNING_RATIO, thin
+from .surface_elements import THINNING_RATIO, element_normals, thin
 from .tetrapod import relate, surface_area
 from .unit_types import UnitType
 from .verification import FEWEST_CELLS, MOST_OVERLAP, overlap, solid_samples
@@ -46,8 +46,8 @@ WIDEST_GAP = np.radians(120)
 """Largest angle between neighbours in the armour's surface: six around a place with one missing."""
 COARSE = 4
 """Steps of the lattice in a cell of the first, coarse look."""
-ROTATIONS = 400
-"""Orientations tried in a place: about 15 degrees apart, modulo the unit's symmetry."""
+ROTATIONS = 150
+"""Orientations tried in a place: about 20 degrees apart, modulo the unit's symmetry; the best is settled by least squares."""
 FIT_SAMPLES = 300
 FEWEST_AROUND = 4
 """Units that must stand around a place."""
@@ -139,13 +139,14 @@ def surrounded(places: FloatArray, tree: cKDTree, height: float) -> NDArray[np.b
     if not len(places):
         return inside
     near = tree.query_ball_point(places, SURROUNDINGS_HEIGHTS * height)
-    wide = tree.query_ball_point(places, SURFACE_HEIGHTS * height)
+    nearest = tree.query(places)[1]
+    patches = {k: centres[tree.query_ball_point(centres[k], SURFACE_HEIGHTS * height)] for k in np.unique(nearest)}
+    axes_of = {k: np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)[2] for k, patch in patches.items()}
     for k, place in enumerate(places):
         around = centres[near[k]] - place
         if len(around) < FEWEST_AROUND:
             continue
-        patch = centres[wide[k]]
-        axes = np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)[2]
+        axes = axes_of[nearest[k]]
         angles = np.sort(np.arctan2(around @ axes[1], around @ axes[0]))
         widest = np.max(np.diff(np.append(angles, angles[0] + 2 * np.pi)))
         # the place must lie within the layer's thickness: not on top of all its neighbours, not below them
@@ -218,7 +219,7 @@ def _places(elements: FloatArray, armour: Armour) -> FloatArray:
     """(n, 3) places of a lattice fixed in the frame that have room, neighbours all around and elements near."""
     height = armour.height
     smallest = min(armour.units, key=lambda unit: unit.height)
-    reach = float(np.hypot(smallest.leg_length, smallest.end_radius))
+    reach = smallest.reach
     tree = cKDTree(elements)
     # coarse cells first: most of the box around a pile is air
     step = STEP_HEIGHTS * height
@@ -244,8 +245,11 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
     unit = armour.units[kind]
     voxel = (VOXEL_HEIGHTS * armour.height) ** 2
     wanted = needed_area(unit) / voxel
-    reach = float(np.hypot(unit.leg_length, unit.end_radius)) + EXPLAINED_HEIGHTS * unit.height
+    reach = unit.reach + EXPLAINED_HEIGHTS * unit.height
     tree = cKDTree(elements)
+    grid = build_grid(elements, 0.25 * reach)
+    everything = np.ones(len(elements), dtype=np.bool_)
+    normals = element_normals(elements, unit.height)
     core = tree.query_ball_point(places, unit.crotch_distance, return_length=True)
     section = np.pi * unit.crotch_distance**2
     shapes = armour.units
@@ -256,45 +260,31 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
         _samples(unit), _rotations(), elements, *_packed(tree.query_ball_point(places, reach)),
         MOST_OVERLAP, EXPLAINED_HEIGHTS * unit.height,
     )  # fmt: skip
+    tolerance = EXPLAINED_HEIGHTS * unit.height
+    fitting = turns >= 0
+    starts = np.column_stack([places, _rotations()[turns].reshape(-1, 9)])
+    # least squares tell a unit from rock better than one of a few orientations
+    settled = starts.copy()
+    settled[fitting] = refine(starts[fitting], elements, normals, everything, grid, unit, 0.5 * tolerance)
     gaps: list[Gap] = []
-    for place, turn, empty, near in zip(places, turns, core, tree.query_ball_point(places, reach), strict=True):
-        # neighbouring places of the lattice settle in one and the same pose
-        known = (gap.place for gap in gaps if gap.kind == "unexplained")
-        if turn < 0 or any(np.linalg.norm(place - other) < 2 * STEP_HEIGHTS * unit.height for other in known):
-            continue
-        own = elements[near]
-        pose = _settled(Pose(place, _rotations()[turn]), own, unit)
-        distance = relate(pose.to_body(own), unit).distance
-        tolerance = EXPLAINED_HEIGHTS * unit.height
+    for k in np.flatnonzero(fitting):
+        pose = settled[k]
+        own = elements[grid.within(elements, pose[:3], reach)]
+        distance = relate((own - pose[:3]) @ pose[3:].reshape(3, 3), unit).distance
         on, inside = int(np.sum(np.abs(distance) <= tolerance)), int(np.sum(distance < -tolerance))
         share = on / max(len(own), 1)
         if on >= wanted and inside <= MOST_INSIDE * on and share >= EXPLAINS_MOST and _free(pose, kind, armour):
-            gaps.append(Gap(pose.centre, "unexplained", share, float(on * voxel), kind))
-        elif (reached := min(1.0, empty * voxel / section)) >= EXPLAINS_MOST:
-            gaps.append(Gap(place, "hole", float(reached), float(empty * voxel), kind))
+            gaps.append(Gap(pose[:3], "unexplained", share, float(on * voxel), kind))
+        elif (reached := min(1.0, core[k] * voxel / section)) >= EXPLAINS_MOST:
+            gaps.append(Gap(places[k], "hole", float(reached), float(core[k] * voxel), kind))
     return gaps
 
 
-def _settled(pose: Pose, elements: FloatArray, unit: UnitType) -> Pose:
-    """The pose after robust least squares to the (n, 3) elements, which tells a unit from rock better than one of a few orientations."""
-
-    def misfit(change: FloatArray) -> FloatArray:
-        moved = pose.perturbed(change[:3], change[3:] / unit.height)
-        return relate(moved.to_body(elements), unit).distance
-
-    if len(elements) < 6:
-        return pose
-    scale = 0.5 * EXPLAINED_HEIGHTS * unit.height
-    change = least_squares(misfit, np.zeros(6), loss="cauchy", f_scale=scale, diff_step=1e-4, x_scale=scale, max_nfev=15).x
-    return pose.perturbed(change[:3], change[3:] / unit.height)
-
-
-def _free(pose: Pose, kind: int, armour: Armour) -> bool:
-    """Whether a unit of a type has room in its pose among the others."""
-    row = np.concatenate([pose.centre, pose.rotation.ravel()])
-    near = armour.tree.query_ball_point(pose.centre, REACH_HEIGHTS * armour.height)
+def _free(pose: FloatArray, kind: int, armour: Armour) -> bool:
+    """Whether a unit of a type has room in its pose (12,) among the others."""
+    near = armour.tree.query_ball_point(pose[:3], REACH_HEIGHTS * armour.height)
     shapes = armour.units
-    return all(overlap(row, armour.poses[k], shapes[kind], shapes[armour.kinds[k]]) <= MOST_OVERLAP for k in near)
+    return all(overlap(pose, armour.poses[k], shapes[kind], shapes[armour.kinds[k]]) <= MOST_OVERLAP for k in near)
 
 
 def _packed(lists: Sequence[Sequence[int]]) -> tuple[IntArray, IntArray]:
@@ -316,7 +306,7 @@ def _rotations() -> FloatArray:
     return np.asarray(Rotation.random(ROTATIONS, random_state=0).as_matrix())
 
 
-@njit(cache=True)
+@kernel()
 def _outside(x: float, y: float, z: float, legs: Any, shape: Any) -> float:
     """Signed distance to the cone or the end disc of the leg a body point leans to, metres, positive outside."""
     axial = -1e300
@@ -329,7 +319,7 @@ def _outside(x: float, y: float, z: float, legs: Any, shape: Any) -> float:
     return float(max(lateral, axial - shape[2]))
 
 
-@njit(cache=True, parallel=True)
+@kernel(parallel=True)
 def _fits(
     places: Any, starts: Any, neighbours: Any, poses: Any, kinds: Any, legs: Any, shapes: Any, kind: int, samples: Any, rotations: Any,
     elements: Any, element_starts: Any, near: Any, most: float, tolerance: float,
@@ -337,6 +327,8 @@ def _fits(
     """(n,) for each place the number of the orientation that fits and that the elements like best, -1 where none fits."""
     out = np.full(len(places), -1, dtype=np.int64)
     limit = int(most * len(samples))
+    # square of the distance from the centre to the rim of an end disc
+    farthest = shapes[:, 2] ** 2 + (shapes[:, 0] - shapes[:, 1] * shapes[:, 2]) ** 2
     for i in prange(len(places)):
         best = -1e300
         for r in range(len(rotations)):
@@ -359,11 +351,16 @@ def _fits(
                 continue
             entered = 0
             for s in range(len(samples)):
-                at = turn @ samples[s] + places[i]
+                s0, s1, s2 = samples[s, 0], samples[s, 1], samples[s, 2]
+                at0 = places[i, 0] + turn[0, 0] * s0 + turn[0, 1] * s1 + turn[0, 2] * s2
+                at1 = places[i, 1] + turn[1, 0] * s0 + turn[1, 1] * s1 + turn[1, 2] * s2
+                at2 = places[i, 2] + turn[2, 0] * s0 + turn[2, 1] * s1 + turn[2, 2] * s2
                 for a in range(starts[i], starts[i + 1]):
                     j = neighbours[a]
                     p = poses[j]
-                    d0, d1, d2 = at[0] - p[0], at[1] - p[1], at[2] - p[2]
+                    d0, d1, d2 = at0 - p[0], at1 - p[1], at2 - p[2]
+                    if d0 * d0 + d1 * d1 + d2 * d2 > farthest[kinds[j]]:
+                        continue
                     x = d0 * p[3] + d1 * p[6] + d2 * p[9]
                     y = d0 * p[4] + d1 * p[7] + d2 * p[10]
                     z = d0 * p[5] + d1 * p[8] + d2 * p[11]

@@ -83,11 +83,7 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     area = max(float(np.median(seventh)) ** 2 * np.pi / 6, (0.5 * THINNING_RATIO * height) ** 2)
     wanted = np.sqrt(2 * element_noise * np.sqrt(area / np.pi) / 0.05)
     radius = float(np.clip(wanted, LEAST_RADIUS_RATIO * height, BEND_RADIUS_RATIO * height))
-    bend_radius = BEND_RADIUS_RATIO * height
-    grid = build_grid(thinned, 0.5 * bend_radius)
-    normals, bend, bend_sd = _normals(
-        thinned, np.ones(len(thinned), dtype=np.bool_), radius, bend_radius, grid.start, grid.order, grid.origin, grid.size, grid.cell
-    )
+    normals, bend, bend_sd = _bends(thinned, radius, height)
     # on a leg the surface falls away by d^2 / (4 rho) on average over directions, rho about 0.2 H: a third of that, if it also
     # stands out of its own standard error, is taken as a sign
     expected = 1 / (4 * 0.2 * height)
@@ -97,6 +93,20 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     normals = np.where(bend[:, None] > 0, -normals, normals)
     noise = _noise_of(points, raw, height, workers)
     return SurfaceElements(thinned, normals, curved, source, spacing, noise, element_noise)
+
+
+def element_normals(points: FloatArray, height: float) -> FloatArray:
+    """(n, 3) unit normals of thinned points (n, 3), of either sign, from neighbourhoods of ``BEND_RADIUS_RATIO``."""
+    return _bends(points, BEND_RADIUS_RATIO * height, height)[0]
+
+
+def _bends(points: FloatArray, radius: float, height: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """What :func:`_normals` finds for thinned points."""
+    reach = BEND_RADIUS_RATIO * height
+    grid = build_grid(points, 0.5 * reach)
+    every = np.ones(len(points), dtype=np.bool_)
+    normals, bend, bend_sd = _normals(points, every, radius, reach, grid.start, grid.order, grid.origin, grid.size, grid.cell)
+    return normals, bend, bend_sd
 
 
 def thin(points: FloatArray, voxel: float) -> tuple[FloatArray, IntArray]:
