@@ -595,12 +595,34 @@ def _outlier_test(
 def _snoop(
     surveyed: FloatArray, measured: FloatArray, variances: FloatArray, similarity: bool, level: float, pool: tuple[float, int]
 ) -> BoolArray:
-    """Points to use: a robust start, then the worst point out and any good one back in until nothing changes."""
+    """Points to use: from all points and from a robust start, the worst point out and any good one back in until nothing changes.
+
+    Several disturbed targets can hide each other from the first; the second begins with the points that agree best, which makes the
+    noise look too small and good targets too far off. So the second counts only where its variance is significantly less.
+    """
     count = len(surveyed)
-    least = MIN_TARGETS + 1
-    if count <= least:
+    if count <= MIN_TARGETS + 1:
         return np.ones(count, dtype=bool)
-    used = _robust_start(surveyed, measured, variances)
+    from_all, robust = (
+        _settled(surveyed, measured, variances, similarity, level, pool, start)
+        for start in (np.ones(count, dtype=bool), _robust_start(surveyed, measured, variances))
+    )
+    fits = [_fit(surveyed, measured, variances, used, similarity) for used in (from_all, robust)]
+    ratio = fits[0].sigma0 ** 2 / max(fits[1].sigma0 ** 2, 1.0)
+    smaller = f_distribution.sf(ratio, fits[0].redundancy, fits[1].redundancy) < level
+    return robust if smaller else from_all
+
+
+def _settled(
+    surveyed: FloatArray,
+    measured: FloatArray,
+    variances: FloatArray,
+    similarity: bool,
+    level: float,
+    pool: tuple[float, int],
+    used: BoolArray,
+) -> BoolArray:
+    count = len(surveyed)
     critical = level / count
     for _ in range(2 * count):
         p = np.array([_outlier_test(surveyed, measured, variances, used, similarity, k, pool)[1] for k in range(count)])
@@ -608,7 +630,7 @@ def _snoop(
         worst = np.where(used, p, 2.0)
         if back.max() >= critical:
             used[int(np.argmax(back))] = True
-        elif worst.min() < critical and used.sum() > least:
+        elif worst.min() < critical and used.sum() > MIN_TARGETS + 1:
             used[int(np.argmin(worst))] = False
         else:
             break
