@@ -33,6 +33,8 @@ METRES_PER: dict[LengthUnit, float] = {"m": 1.0, "ft": 0.3048, "us-ft": 1200 / 3
 SNOOPING_LEVEL = 0.01
 """Probability of excluding any good target of an epoch."""
 MIN_TARGETS = 3
+LEAST_SPREAD = 0.1
+"""Least spread of chosen targets across their main direction, over that of all targets."""
 AXES_TOLERANCE = 30.0
 """Misfit of half of the targets, in stated standard deviations, that no measurement explains."""
 SCALE_TOLERANCE = 0.002
@@ -427,6 +429,7 @@ def register(
     similarity: bool = False,
     level: float = SNOOPING_LEVEL,
     reference: ArrayLike | None = None,
+    others: Sequence[Registration] = (),
 ) -> Registration:
     """Estimate the transformation of a cloud to survey control.
 
@@ -440,6 +443,9 @@ def register(
         Probability of excluding any good target.
     reference
         (n, 3) points of the cloud (the units' centres) at which the effect of excluded targets is stated; None for the targets.
+    others
+        Registrations of the survey's other epochs. Their targets were measured alike, so that their residuals tell too how large one may
+        be: with eight targets in each of two epochs a disturbed target is missed half as often.
 
     Raises
     ------
@@ -464,13 +470,14 @@ def register(
     noise = float(math.sqrt(np.median(variances)))
     _check_spread(measured, noise, targets)
     _check_axes(surveyed, measured, noise, control, targets)
-    used = _snoop(surveyed, measured, variances, similarity, level)
+    pool = sum(r.sigma0**2 * r.redundancy for r in others), sum(r.redundancy for r in others)
+    used = _snoop(surveyed, measured, variances, similarity, level, pool)
     fit = _fit(surveyed, measured, variances, used, similarity)
     everything = _fit(surveyed, measured, variances, np.ones(len(names), dtype=bool), similarity)
     residuals = fit.transformation.apply(measured) - surveyed
     residual_rows = []
     for k, name in enumerate(names):
-        statistic, p_value = _outlier_test(surveyed, measured, variances, used, similarity, k)
+        statistic, p_value = _outlier_test(surveyed, measured, variances, used, similarity, k, pool)
         residual_rows.append(
             ControlResidual(name, surveyed[k], residuals[k], float(np.max(np.abs(statistic))), p_value, bool(used[k]), not used[k])
         )
@@ -555,41 +562,75 @@ def _closed_form(x: FloatArray, y: FloatArray, weights: FloatArray, similarity: 
 
 
 def _outlier_test(
-    surveyed: FloatArray, measured: FloatArray, variances: FloatArray, used: BoolArray, similarity: bool, point: int
+    surveyed: FloatArray,
+    measured: FloatArray,
+    variances: FloatArray,
+    used: BoolArray,
+    similarity: bool,
+    point: int,
+    pool: tuple[float, int],
 ) -> tuple[FloatArray, float]:
-    """Prediction of one point from the other used ones: normalised residuals (3,) and p-value of all three together."""
+    """Prediction of one point from the other used ones: normalised residuals (3,) and p-value of all three together.
+
+    ``pool`` is the weighted square sum of the residuals of other epochs and its redundancy.
+    """
     others = used.copy()
     others[point] = False
-    if others.sum() < MIN_TARGETS or not _spread_enough(measured[others], float(math.sqrt(np.median(variances)))):
+    if others.sum() < MIN_TARGETS or not _spread_enough(measured[others], float(math.sqrt(np.median(variances))), measured):
         return np.zeros(3), 1.0
     fit = _fit(surveyed, measured, variances, others, similarity)
     moved = fit.transformation.apply(measured[point][None])
     gap = (moved - surveyed[point])[0]
     jacobian = fit.transformation.jacobian(moved)[0]
     cofactor = np.diag(variances[point]) + jacobian @ fit.transformation.covariance @ jacobian.T
+    redundancy = fit.redundancy + pool[1]
     if fit.redundancy < 1:
         return np.zeros(3), 1.0
     # a sample variance below the stated one is luck as a rule; without this floor a lucky handful would condemn good targets
-    unit_variance = max(fit.sigma0**2, 1.0)
+    unit_variance = max((fit.square_sum + pool[0]) / redundancy, 1.0)
     statistic = float(gap @ np.linalg.solve(cofactor, gap)) / 3 / unit_variance
-    return gap / np.sqrt(np.diag(cofactor) * unit_variance), float(fdtrc(3, fit.redundancy, statistic))
+    return gap / np.sqrt(np.diag(cofactor) * unit_variance), float(fdtrc(3, redundancy, statistic))
 
 
-def _snoop(surveyed: FloatArray, measured: FloatArray, variances: FloatArray, similarity: bool, level: float) -> BoolArray:
-    """Points to use: a robust start, then the worst point out and any good one back in until nothing changes."""
+def _snoop(
+    surveyed: FloatArray, measured: FloatArray, variances: FloatArray, similarity: bool, level: float, pool: tuple[float, int]
+) -> BoolArray:
+    """Points to use: from all points and from a robust start, the worst point out and any good one back in until nothing changes.
+
+    Several disturbed targets can hide each other from the first; the second begins with the points that agree best, which makes the
+    noise look too small and good targets too far off. So the second counts only where its variance is significantly less.
+    """
     count = len(surveyed)
-    least = MIN_TARGETS + 1
-    if count <= least:
+    if count <= MIN_TARGETS + 1:
         return np.ones(count, dtype=bool)
-    used = _robust_start(surveyed, measured, variances)
+    from_all, robust = (
+        _settled(surveyed, measured, variances, similarity, level, pool, start)
+        for start in (np.ones(count, dtype=bool), _robust_start(surveyed, measured, variances))
+    )
+    fits = [_fit(surveyed, measured, variances, used, similarity) for used in (from_all, robust)]
+    ratio = fits[0].sigma0 ** 2 / max(fits[1].sigma0 ** 2, 1.0)
+    smaller = fdtrc(fits[0].redundancy, fits[1].redundancy, ratio) < level
+    return robust if smaller else from_all
+
+
+def _settled(
+    surveyed: FloatArray,
+    measured: FloatArray,
+    variances: FloatArray,
+    similarity: bool,
+    level: float,
+    pool: tuple[float, int],
+    used: BoolArray,
+) -> BoolArray:
+    count = len(surveyed)
     critical = level / count
     for _ in range(2 * count):
-        p = np.array([_outlier_test(surveyed, measured, variances, used, similarity, k)[1] for k in range(count)])
+        p = np.array([_outlier_test(surveyed, measured, variances, used, similarity, k, pool)[1] for k in range(count)])
         back = np.where(~used, p, 0.0)
         worst = np.where(used, p, 2.0)
         if back.max() >= critical:
             used[int(np.argmax(back))] = True
-        elif worst.min() < critical and used.sum() > least:
+        elif worst.min() < critical and used.sum() > MIN_TARGETS + 1:
             used[int(np.argmin(worst))] = False
         else:
             break
@@ -608,23 +649,31 @@ def _robust_start(surveyed: FloatArray, measured: FloatArray, variances: FloatAr
     noise = float(math.sqrt(np.median(variances)))
     for triple in triples:
         index = list(triple)
-        if not _spread_enough(measured[index], noise):
+        if not _spread_enough(measured[index], noise, measured):
             continue
         rotation, _ = _closed_form(measured[index], surveyed[index], np.ones(3), False)
         moved = (measured - measured[index].mean(axis=0)) @ rotation.T + surveyed[index].mean(axis=0)
         squares = np.sum((moved - surveyed) ** 2 / variances, axis=1)
         order = np.argsort(squares)[:keep]
-        if squares[order[-1]] < best and _spread_enough(measured[order], noise):
+        if squares[order[-1]] < best and _spread_enough(measured[order], noise, measured):
             best, chosen = float(squares[order[-1]]), order
     used = np.zeros(count, dtype=bool)
     used[chosen] = True
     return used
 
 
-def _spread_enough(points: FloatArray, noise: float) -> bool:
-    """Whether points lie so far off one line that the rotation about it is determined (better than about 10 degrees)."""
+def _spread_enough(points: FloatArray, noise: float, network: FloatArray | None = None) -> bool:
+    """Whether points lie so far off one line that the rotation about it is determined (better than about 10 degrees).
+
+    Of points chosen from a ``network`` more is asked: targets in one row agree with each other whatever the rotation about the row, and
+    would condemn all others. Noise alone, often understated, must not pass for a spread.
+    """
     values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    return bool(values[1] > max(5 * noise, 1e-3 * values[0]))
+    least = max(5 * noise, 1e-3 * values[0])
+    if network is not None:
+        whole = np.linalg.svd(network - network.mean(axis=0), compute_uv=False)[1]
+        least = max(least, LEAST_SPREAD * whole * math.sqrt(len(points) / len(network)))
+    return bool(values[1] > least)
 
 
 def _check_spread(measured: FloatArray, noise: float, targets: SurveyedPoints) -> None:

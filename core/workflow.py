@@ -398,18 +398,20 @@ def register_epochs(survey: Survey, plans: Sequence[EpochPlan], feedback: Feedba
     InputError
         Control, targets or stable areas cannot be used.
     """
-    from .control import grid_scale, read_control, read_targets, register, to_survey_frame
+    from .control import SurveyedPoints, grid_scale, read_control, read_targets, register, to_survey_frame
 
-    found = {}
+    pairs: dict[str, tuple[SurveyedPoints, SurveyedPoints]] = {}
     for epoch in survey.epochs:
         if epoch.control is None or epoch.targets is None:
             continue
         feedback.check()
         surveyed = to_survey_frame(read_control(epoch.control), epoch.control_crs, survey.crs, epoch.control_unit)
-        found[epoch.label] = register(surveyed, read_targets(epoch.targets))
+        pairs[epoch.label] = surveyed, read_targets(epoch.targets)
         if survey.crs != LOCAL:
             scale = grid_scale(survey.crs, surveyed.coordinates.mean(axis=0))
             feedback.info(f"{epoch.label}: scale factor grid over ground is {scale:.6f}; ground distances are not applied to coordinates")
+    alone = {label: register(*points) for label, points in pairs.items()}
+    found = {label: register(*points, others=[alone[k] for k in pairs if k != label]) for label, points in pairs.items()}
     return {**found, **tie_epochs(survey, plans, found, feedback)}
 
 

@@ -264,3 +264,41 @@ def test_sample_surveys(shared_data: Path, site: str, epoch: str, disturbed: tup
     folder = shared_data / site
     found = module.register(module.read_control(folder / f"control_{epoch}.csv"), module.read_targets(folder / f"targets_{epoch}.csv"))
     assert found.excluded == disturbed
+
+
+def test_targets_of_one_row_never_condemn_the_others() -> None:
+    """Five targets on a parapet agree whatever the rotation about it; taking them alone once turned a cloud by 24 degrees."""
+    row = np.array([[x, 6.0, 1.0] for x in (-7, -3.5, -0.5, 2.5, 7)])
+    layout = np.vstack([row, [[-6, 1, 0.2], [0.5, 1, 0.2], [5, 1, 0.2]]])
+    for seed in range(25):
+        # noise is twice what the file states
+        control, targets = network(np.random.default_rng(seed), sd=0.014, truth=layout)
+        stated = module.SurveyedPoints(control.ids, control.coordinates, np.full(layout.shape, 0.003))
+        found = module.register(stated, module.SurveyedPoints(targets.ids, targets.coordinates, np.zeros(layout.shape)))
+        assert any(r.used for r in found.residuals[5:])
+        turn = found.transformation.rotation @ Rotation.from_rotvec(TURN).as_matrix().T
+        assert Rotation.from_matrix(turn).magnitude() < 0.02
+
+
+def test_residuals_of_other_epochs_sharpen_the_test() -> None:
+    """A target 9 sd off in one coordinate, among noise larger than stated: found more often with the residuals of three other epochs."""
+    alone, together = 0, 0
+    for seed in range(20):
+        rng = np.random.default_rng(seed)
+        pairs = []
+        for k in range(4):
+            control, targets = network(rng, sd=0.006)
+            measured = targets.coordinates.copy()
+            if k == 3:
+                measured[2, 0] += 0.032
+            pairs.append(
+                (
+                    module.SurveyedPoints(control.ids, control.coordinates, np.full(NETWORK.shape, 0.003)),
+                    module.SurveyedPoints(targets.ids, measured, np.zeros(NETWORK.shape)),
+                )
+            )
+        others = [module.register(*pair) for pair in pairs[:3]]
+        alone += module.register(*pairs[3]).excluded == ("T03",)
+        together += module.register(*pairs[3], others=others).excluded == ("T03",)
+    assert together > alone
+    assert together >= 15

@@ -15,9 +15,12 @@ from qgis import processing
 from qgis.core import (
     Qgis,
     QgsApplication,
+    QgsFeature,
+    QgsGeometry,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingException,
+    QgsProcessingFeatureSource,
     QgsProcessingFeedback,
     QgsVectorLayer,
     QgsWkbTypes,
@@ -422,3 +425,21 @@ def test_a_crash_of_the_engine_is_a_message(
     fake_engine("os.kill(os.getpid(), signal.SIGKILL)")
     message = failure("inspecttiles", {"TILES": str(tiny / "tiles" / EPOCHS[0]), "OUTPUT": "TEMPORARY_OUTPUT"}, context, feedback)
     assert "ended unexpectedly" in message
+
+
+def test_stable_areas_reach_the_survey_file_in_their_own_crs(tmp_path: Path, context: QgsProcessingContext) -> None:
+    import tomllib
+
+    from tetratrack.algorithms.inputs import EpochInput, SurveyInput, write_polygons
+
+    layer = QgsVectorLayer("Polygon?crs=EPSG:32651", "crown wall", "memory")
+    feature = QgsFeature()
+    feature.setGeometry(QgsGeometry.fromWkt("POLYGON((0 0, 20 0, 20 5, 0 5, 0 0))"))
+    layer.dataProvider().addFeatures([feature])
+    written = write_polygons(QgsProcessingFeatureSource(layer, context), tmp_path / "stable_areas.gpkg", context)
+    again = QgsVectorLayer(str(written), "again", "ogr")
+    assert again.crs().authid() == "EPSG:32651"
+    assert next(again.getFeatures()).geometry().area() == pytest.approx(100)
+    epoch = EpochInput("a", "2024-01-01T00:00:00Z", ["a.laz"])
+    path = SurveyInput("EPSG:32652", {"type": "tetrapod 8 t"}, [epoch], stable_areas=str(written)).write(tmp_path)
+    assert tomllib.loads(path.read_text(encoding="utf-8"))["survey"]["stable_areas"] == str(written)
