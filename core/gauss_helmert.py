@@ -1014,7 +1014,7 @@ class _Solver:
     def sampled(self, some: slice) -> _Solver:
         """A solver of some of the points that leaves this one's pose alone; the other work arrays are shared."""
         sample = copy(self)
-        sample.take(*(np.ascontiguousarray(array[some]) for array in (self.xyz, self.cov, self.given)))
+        sample.take(np.ascontiguousarray(self.xyz[some]), np.ascontiguousarray(self.cov[some]), np.ascontiguousarray(self.given[some]))
         sample.restore(self.state())
         return sample
 
