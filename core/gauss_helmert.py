@@ -415,7 +415,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
 ):  # fmt: skip
     """One linearisation: normal equations, right-hand side and the state of every point.
 
-    ``scale`` standardises residuals and is the noise for memberships, in metres or as a factor on ``cov``; ``correct`` is
+    ``scale`` standardises residuals and is the noise for memberships, in metres where ``cov`` is None, else a factor on it; ``correct`` is
     the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for what the covariance needs. Of the 12 unknowns,
     shift and turn are along the axes of the body, and the last four are the errors of the leg lengths. ``normal`` and ``rhs`` make the
     Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``
