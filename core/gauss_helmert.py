@@ -386,10 +386,15 @@ def _candidates(  # type: ignore[no-untyped-def]
                 continue
             u = found[j, 3] / spread
             which[count] = j
-            density[count] = math.log(share / spread) - 0.5 * u * u
+            density[count] = -0.5 * u * u
+            if share < 1.0:
+                density[count] += math.log(share)
+            if has_cov:
+                # equal noise divides all densities by the same
+                density[count] -= math.log(spread)
             if best < 0 or density[count] > density[best]:
                 best = count
-                furthest = 0.5 * u * u - math.log(share) + 12.0
+                furthest = 8.0 - density[count]
             count += 1
     return count, best
 
