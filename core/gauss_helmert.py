@@ -386,10 +386,15 @@ def _candidates(  # type: ignore[no-untyped-def]
                 continue
             u = found[j, 3] / spread
             which[count] = j
-            density[count] = math.log(share / spread) - 0.5 * u * u
+            density[count] = -0.5 * u * u
+            if share < 1.0:
+                density[count] += math.log(share)
+            if has_cov:
+                # equal noise divides all densities by the same
+                density[count] -= math.log(spread)
             if best < 0 or density[count] > density[best]:
                 best = count
-                furthest = 0.5 * u * u - math.log(share) + 12.0
+                furthest = 8.0 - density[count]
             count += 1
     return count, best
 
@@ -415,7 +420,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
 ):  # fmt: skip
     """One linearisation: normal equations, right-hand side and the state of every point.
 
-    ``scale`` standardises residuals and is the noise for memberships, in metres or as a factor on ``cov``; ``correct`` is
+    ``scale`` standardises residuals and is the noise for memberships, in metres where ``cov`` is None, else a factor on it; ``correct`` is
     the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for what the covariance needs. Of the 12 unknowns,
     shift and turn are along the axes of the body, and the last four are the errors of the leg lengths. ``normal`` and ``rhs`` make the
     Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``

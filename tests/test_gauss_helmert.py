@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 from scipy.stats import binom, chi2
 from tetratrack.core.errors import InputError
-from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, adjust, beam_covariances
+from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, _pair_products, adjust, beam_covariances
 from tetratrack.core.pose import Pose, rotation_angle
 from tetratrack.core.tetrapod import END_DISC, relate, sample_surface
 from tetratrack.core.unit_types import UnitType
@@ -298,3 +298,29 @@ def test_unusable_input_is_refused() -> None:
     for wrong in ({"tip": 0.0}, {"sigma": -1.0}, {"radius_sd": -1.0}, {"edge": -0.1}, {"leg_length_sd": 0.0}):
         with pytest.raises(ValueError, match=r"must|share"):
             AdjustmentOptions(**wrong)
+
+
+def test_residuals_are_distances_to_the_adjusted_surface() -> None:
+    pose, points, _ = cloud(np.random.default_rng(31), 1500, 0.02)
+    result = adjust(points, UNIT, pose.perturbed([0.05, -0.04, 0.03], [0.03, 0.02, -0.02]), options=IDEAL)
+    used = result.legs >= 0
+    body, axes = result.pose.to_body(points[used]), UNIT.leg_directions[result.legs[used]]
+    axial = np.sum(body * axes, axis=1)
+    rho = np.sqrt(np.sum(body**2, axis=1) - axial**2)
+    distances = (rho - result.radius + result.gradient * axial) / math.hypot(1, result.gradient)
+    assert used.sum() > 1450
+    # the last step is taken to first order
+    assert np.abs(result.residuals[used] - distances).max() < 1e-3 * result.noise
+
+
+@pytest.mark.parametrize("reach", [0.05, 0.3])
+def test_near_pairs_are_all_found_once(reach: float) -> None:
+    """Against all pairs, also of points far outside the cells."""
+    rng = np.random.default_rng(12)
+    points = np.vstack([rng.normal(0, 0.5, (300, 3)), rng.normal(0, 0.1, (40, 3)) + 20.0])
+    rows, chosen = rng.normal(size=(340, 12)), np.arange(0, 340, 2)
+    found = np.zeros((12, 12))
+    _pair_products(points, rows, chosen, 0.7 * reach, 2.0, reach, found)
+    apart = np.linalg.norm(points[chosen, None] - points[None, chosen], axis=2)
+    correlation = np.where((apart < reach) & ~np.eye(len(chosen), dtype=bool), np.exp(-((apart / (0.7 * reach)) ** 2)), 0.0)
+    assert found == pytest.approx(rows[chosen].T @ correlation @ rows[chosen])
