@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
+import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -20,10 +21,11 @@ import numpy as np
 from ground_truth import CENTRE_TOLERANCE
 from numpy.typing import NDArray
 from tetratrack.core.gap_rows import gap_rows, look_into_tiles
-from tetratrack.core.gaps import Gap
 from tetratrack.core.quality import ACCEPTED
 from tetratrack.core.result_tables import read_layer_rows
+from tetratrack.core.run_record import record_run
 from tetratrack.core.survey import read_survey
+from tetratrack.core.tile_jobs import JobRunner
 from tetratrack.core.workflow import Feedback, plan_survey, register_epochs
 
 FloatArray = NDArray[np.float64]
@@ -56,25 +58,20 @@ def judge(folder: Path, result: Path) -> list[str]:
     height = survey.unit.height
     plans = plan_survey(survey)
     units = tuple(unit.type for unit in survey.units)
-    look = look_into_tiles(survey, plans, units, register_epochs(survey, plans, Feedback()), Feedback())
     rows: list[Mapping[str, Any]] = [row | {"geometry": row["geom"]} for row in read_layer_rows(result, "units")]
     when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
     labels = [label for label, _ in when]
-    seen: dict[int, list[Gap]] = {}
-
-    def once(number: int, placed: Sequence[Mapping[str, Any]], origin: FloatArray) -> list[Gap]:
-        seen[number] = look(number, placed, origin)
-        return seen[number]
-
-    gaps = gap_rows(rows, when, units, once)
+    checksums = record_run(survey, 0, {}).checksums
+    with tempfile.TemporaryDirectory() as folder_of_jobs, JobRunner(Path(folder_of_jobs)) as runner:
+        seen = look_into_tiles(rows, survey, plans, units, register_epochs(survey, plans, Feedback()), checksums, runner)
+    gaps = gap_rows(rows, when, units, seen)
     lines = []
-    for number, label in enumerate(labels):
+    for label in labels:
         own = [row for row in rows if row["epoch"] == label and row["geometry"] is not None]
         centres = np.array([row["geometry"] for row in own])
         missed, gone = missing_units(folder, label, labels, centres, height)
-        origin = np.round(centres.mean(axis=0))
         cells = [str(sum(row["status"] in ACCEPTED for row in own)), str(len(missed)), str(len(gone))]
-        for places in ([row["geometry"] for row in gaps if row["epoch"] == label], [gap.place + origin for gap in seen[number]]):
+        for places in ([row["geometry"] for row in gaps if row["epoch"] == label], [gap.place for gap in seen[label]]):
             cells += [str(count) for count in tally(np.array(places).reshape(-1, 3), missed, gone, height)]
         lines.append(f"| {folder.name} {label} | {' | '.join(cells)} |")
     return lines

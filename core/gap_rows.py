@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,9 +14,10 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from .control import Transformation
-from .gaps import Gap, armour_of, clearest, find_gaps
+from .gaps import Armour, Gap, armour_of, clearest, find_gaps
 from .quality import ACCEPTED, CLOSEST_HEIGHTS, REACH_HEIGHTS, kinds_of, pose_table
 from .schema import PLACEHOLDER
+from .tile_jobs import Arrays, Block, JobRunner, job_key, loaded_arrays
 from .tiles import read_points
 from .unit_types import UnitType
 
@@ -22,47 +25,133 @@ if TYPE_CHECKING:
     from .control import Registration
     from .result_rows import EpochPlan
     from .survey import Survey
-    from .workflow import Feedback
 
 FloatArray = NDArray[np.float64]
 Row = dict[str, Any]
-Look = Callable[[int, Sequence[Mapping[str, Any]], FloatArray], list[Gap]]
-"""Gaps of an epoch (index) from its cloud and placed rows, in the control frame less a (3,) reduction point."""
-
 NEAREST = 3
+SURROUNDINGS_HEIGHTS = 6.0
+"""A job knows the units this far around its block, in heights: more than the run of the armour's surface is told from."""
+
+
+@dataclass(frozen=True, eq=False)
+class GapJob:
+    """Look for gaps in one block.
+
+    Attributes
+    ----------
+    block
+        Where; gaps in its core are reported.
+    survey_crs, tiles_crs
+        As in survey.toml.
+    armour
+        Units around the block, control frame less ``origin``.
+    origin
+        (3,) reduction point.
+    transformation
+        From the epoch's cloud to the control frame.
+    checksums
+        Of the block's tiles.
+    """
+
+    block: Block
+    survey_crs: str
+    tiles_crs: str | None
+    armour: Armour
+    origin: FloatArray
+    transformation: Transformation
+    checksums: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """File name of the result."""
+        core = self.block.core
+        settings = {
+            "crs": self.survey_crs,
+            "tiles_crs": self.tiles_crs,
+            "core": [repr(v) for v in (core.west, core.south, core.east, core.north)],
+            "units": repr(self.armour.units),
+            "armour": [self.armour.poses.tolist(), self.armour.kinds.tolist(), self.armour.closest],
+            "origin": self.origin.tolist(),
+            "transformation": self.transformation.as_record(),
+        }
+        return f"gaps-{job_key('gaps', settings, self.checksums)}.npz"
+
+    def run(self) -> Arrays:
+        """Arrays by gap: place (absolute, control frame), kind, score, area and index of the type of unit."""
+        window = self.block.core.grown(2 * REACH_HEIGHTS * self.armour.height)
+        cloud = read_points(self.block.tiles, self.survey_crs, window=window, origin=self.origin, tiles_crs=self.tiles_crs)
+        gaps = find_gaps(self.transformation.apply(cloud.xyz + self.origin) - self.origin, self.armour)
+        places = np.array([gap.place for gap in gaps]).reshape(-1, 3) + self.origin
+        mine = self.block.core.contains(self.transformation.invert(places))
+        return {
+            "place": places[mine],
+            "kind": np.array([gap.kind for gap in gaps], dtype="U12")[mine],
+            "score": np.array([gap.score for gap in gaps])[mine],
+            "area": np.array([gap.area for gap in gaps])[mine],
+            "unit": np.array([gap.unit for gap in gaps], dtype=np.int64)[mine],
+        }
 
 
 def look_into_tiles(
-    survey: Survey, plans: Sequence[EpochPlan], units: tuple[UnitType, ...], registrations: Mapping[str, Registration], feedback: Feedback
-) -> Look:
-    """What :func:`gap_rows` needs to look into the clouds of the epochs, block by block."""
+    rows: Sequence[Mapping[str, Any]],
+    survey: Survey,
+    plans: Sequence[EpochPlan],
+    units: tuple[UnitType, ...],
+    registrations: Mapping[str, Registration],
+    checksums: Mapping[Path, str],
+    runner: JobRunner,
+) -> dict[str, list[Gap]]:
+    """Gaps by epoch that its cloud and packing show, in the control frame, looked for block by block.
 
-    def look(number: int, rows: Sequence[Mapping[str, Any]], origin: FloatArray) -> list[Gap]:
-        poses = pose_table(rows)
+    Parameters
+    ----------
+    rows
+        Of the layer ``units``, final poses.
+    survey, plans
+        The survey and its epochs cut into blocks.
+    units
+        Types of unit.
+    registrations
+        By label of the epoch.
+    checksums
+        Of the tiles.
+    runner
+        Runs the jobs.
+    """
+    jobs: list[tuple[str, GapJob]] = []
+    for plan in plans:
+        label = plan.epoch.label
+        placed = _placed(rows, label)
+        poses = pose_table(placed)
+        origin: FloatArray = np.round(poses[:, :3].mean(axis=0)) if len(poses) else np.zeros(3)
         poses[:, :3] -= origin
-        armour = armour_of(poses, kinds_of(rows, units), units)
-        if armour is None:
-            return []
-        plan = plans[number]
-        registration = registrations.get(plan.epoch.label)
+        whole = armour_of(poses, kinds_of(placed, units), units)
+        if whole is None:
+            continue
+        registration = registrations.get(label)
         transformation = Transformation.identity(origin) if registration is None else registration.transformation
         where = transformation.invert(poses[:, :3] + origin)
-        reach = 2 * REACH_HEIGHTS * armour.height
-        found: list[Gap] = []
         for block in plan.blocks:
-            if not block.core.grown(reach).contains(where).any():
+            near = block.core.grown(SURROUNDINGS_HEIGHTS * whole.height).contains(where)
+            if not block.core.grown(2 * REACH_HEIGHTS * whole.height).contains(where).any():
                 continue
-            feedback.check()
-            cloud = read_points(block.tiles, survey.crs, window=block.core.grown(reach), origin=origin, tiles_crs=plan.epoch.tiles_crs)
-            gaps = find_gaps(transformation.apply(cloud.xyz + origin) - origin, armour)
-            found += [gap for gap in gaps if block.core.contains(transformation.invert(gap.place[None] + origin))[0]]
-        return clearest(found, armour.height)
-
-    return look
+            armour = replace(whole, poses=poses[near], kinds=whole.kinds[near], tree=cKDTree(poses[near, :3]))
+            own = tuple(checksums[tile.path] for tile in block.tiles)
+            jobs.append((label, GapJob(block, survey.crs, plan.epoch.tiles_crs, armour, origin, transformation, own)))
+    height = max(unit.height for unit in units)
+    found: dict[str, list[Gap]] = {plan.epoch.label: [] for plan in plans}
+    for (label, _), path in zip(jobs, runner.run([job for _, job in jobs]), strict=True):
+        result = loaded_arrays(path)
+        columns = (result[name] for name in ("place", "kind", "score", "area", "unit"))
+        found[label] += [Gap(place, str(kind), float(score), float(area), int(unit)) for place, kind, score, area, unit in zip(*columns)]  # type: ignore[arg-type]
+    return {label: clearest(gaps, height) for label, gaps in found.items()}
 
 
 def gap_rows(
-    rows: Sequence[Mapping[str, Any]], epochs: Sequence[tuple[str, datetime]], units: Sequence[UnitType], look: Look | None = None
+    rows: Sequence[Mapping[str, Any]],
+    epochs: Sequence[tuple[str, datetime]],
+    units: Sequence[UnitType],
+    seen: Mapping[str, Sequence[Gap]] | None = None,
 ) -> list[Row]:
     """Rows of the layer ``gaps``.
 
@@ -74,33 +163,33 @@ def gap_rows(
         Label and time, in order of time.
     units
         Types of unit.
-    look
-        Looks into an epoch's cloud; without it only what other epochs know is stated.
+    seen
+        Gaps by epoch that its own cloud shows (:func:`look_into_tiles`); without it only what other epochs know is stated.
     """
     result: list[Row] = []
     labels = [label for label, _ in epochs]
     known = _known_from_other_epochs(rows, labels)
-    for number, (label, time) in enumerate(epochs):
-        placed = [row for row in rows if row["epoch"] == label and row["geometry"] is not None]
+    for label, time in epochs:
+        placed = _placed(rows, label)
         if not placed:
             continue
         centres = np.array([row["geometry"] for row in placed])
         origin: FloatArray = np.round(centres.mean(axis=0))
         tree = cKDTree(centres - origin)
         own: list[Row] = []
-        for kind, seen in known[label]:
+        for kind, row in known[label]:
             # where another unit lies by now, nothing is missing
-            if tree.query(seen["geometry"] - origin)[0] >= CLOSEST_HEIGHTS * seen["height"]:
-                unit = units[int(kinds_of([seen], units)[0])]
-                own.append({"kind": kind, "unit_id": seen["unit_id"], "score": 1.0, "geometry": np.asarray(seen["geometry"])} | _size(unit))
-        taken = [row["geometry"] - origin for row in own]
-        for gap in [] if look is None else look(number, placed, origin):
+            if tree.query(row["geometry"] - origin)[0] >= CLOSEST_HEIGHTS * row["height"]:
+                unit = units[int(kinds_of([row], units)[0])]
+                own.append({"kind": kind, "unit_id": row["unit_id"], "score": 1.0, "geometry": np.asarray(row["geometry"])} | _size(unit))
+        taken = [row["geometry"] for row in own]
+        for gap in [] if seen is None else seen.get(label, ()):
             unit = units[gap.unit]
             if all(np.linalg.norm(gap.place - place) >= unit.height for place in taken):
-                own.append({"kind": gap.kind, "score": gap.score, "area": gap.area, "geometry": gap.place + origin} | _size(unit))
-        for row in own:
-            distance, index = tree.query(row["geometry"] - origin, k=min(NEAREST, len(placed)))
-            row |= {
+                own.append({"kind": gap.kind, "score": gap.score, "area": gap.area, "geometry": gap.place} | _size(unit))
+        for gap_row in own:
+            distance, index = tree.query(gap_row["geometry"] - origin, k=min(NEAREST, len(placed)))
+            gap_row |= {
                 "epoch": label,
                 "epoch_time": time,
                 "status": PLACEHOLDER,
@@ -111,8 +200,13 @@ def gap_rows(
     return result
 
 
+def _placed(rows: Iterable[Mapping[str, Any]], label: str) -> list[Mapping[str, Any]]:
+    """Rows of an epoch that have a pose."""
+    return [row for row in rows if row["epoch"] == label and row["geometry"] is not None]
+
+
 def _size(unit: UnitType) -> Row:
-    return {"unit_type": unit.name, "height": unit.height, "radius": float(np.hypot(unit.leg_length, unit.end_radius))}
+    return {"unit_type": unit.name, "height": unit.height, "radius": unit.reach}
 
 
 def _known_from_other_epochs(rows: Iterable[Mapping[str, Any]], labels: Sequence[str]) -> dict[str, list[tuple[str, Mapping[str, Any]]]]:

@@ -30,7 +30,7 @@ from typing import Any, Protocol, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from .errors import Cancelled, OutputError, TetratrackError
+from .errors import Cancelled, InputError, OutputError, TetratrackError
 from .geopackage import replace_durably, temporary_beside
 from .tiles import TileInfo, Window
 
@@ -170,6 +170,20 @@ def load_arrays(path: Path) -> dict[str, NDArray[Any]] | None:
             return {name: archive[name] for name in archive.files}
     except (FileNotFoundError, zipfile.BadZipFile, ValueError, EOFError, KeyError, OSError):
         return None
+
+
+def loaded_arrays(path: Path) -> dict[str, NDArray[Any]]:
+    """Arrays of a job that is done.
+
+    Raises
+    ------
+    InputError
+        Its file is gone.
+    """
+    arrays = load_arrays(path)
+    if arrays is None:
+        raise InputError("vanished while the run was using it", source=path, remedy="Run again, and leave the folder alone meanwhile.")
+    return arrays
 
 
 @dataclass

@@ -41,7 +41,7 @@ from .result_rows import (
 from .run_record import RunRecord, record_run
 from .schema import LAYERS
 from .survey import Epoch, Survey
-from .tile_jobs import JobRunner, load_arrays, plan_blocks
+from .tile_jobs import JobRunner, plan_blocks
 from .tiles import TileInfo, inspect_tile, read_points
 from .trajectory import BeamNoise, read_stations, read_trajectory
 from .unit_types import UnitType
@@ -181,7 +181,7 @@ def segment_epochs(
     result = []
     for plan in plans:
         mine = [k for k, (other, _) in enumerate(blocks) if other is plan]
-        arrays = [_loaded(files[k]) for k in mine]
+        arrays = [loaded_arrays(files[k]) for k in mine]
         rows = owners([(blocks[k][1].core, a) for k, a in zip(mine, arrays, strict=True)], heights)
         result.append(_collected(plan, arrays, rows, tuple(files[k] for k in mine), tuple(unit.type for unit in survey.units)))
     return tuple(result)
@@ -290,7 +290,7 @@ def fit_epochs(
     result = []
     for epoch in epochs:
         own = tuple(next(files) for _ in epoch.files)
-        arrays = [_loaded(path) for path in own]
+        arrays = [loaded_arrays(path) for path in own]
         result.append(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own, epoch.units))
     return tuple(result)
 
@@ -364,13 +364,6 @@ def _sole_writer(target: Path) -> Iterator[None]:
         yield
     finally:
         os.close(handle)
-
-
-def _loaded(path: Path) -> dict[str, NDArray[Any]]:
-    arrays = load_arrays(path)
-    if arrays is None:
-        raise InputError("vanished while the run was using it", source=path, remedy="Run again, and leave the folder alone meanwhile.")
-    return arrays
 
 
 def _collected(
@@ -647,8 +640,8 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
 
         feedback.progress(1 - 3 * SHARES["write"], "looking for gaps")
         when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
-        look = look_into_tiles(survey, plans, fitted[0].units, registrations, feedback)
-        tables["gaps"] = gap_rows(tables["units"], when, fitted[0].units, look)
+        seen = look_into_tiles(tables["units"], survey, plans, fitted[0].units, registrations, record.checksums, runner)
+        tables["gaps"] = gap_rows(tables["units"], when, fitted[0].units, seen)
         qualities = state_quality(tables["units"], fitted[0].units, [label for label, _ in when], feedback, tables["gaps"])
         tables |= {"control_residuals": [], "epochs": []}
         tables["check_residuals"], check_rmse = check_tables(survey, tables["feature_points"], feedback)

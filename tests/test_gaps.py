@@ -116,11 +116,9 @@ def test_places_that_another_epoch_knows() -> None:
         row("U8", "a", 12 * H, "uncertain"),
     ]  # fmt: skip
 
-    def look(number: int, placed: list, origin: np.ndarray) -> list[Gap]:
-        # beside U2, whose place is known better, and by itself
-        return [Gap(far + np.array([x * H, 0, 0]) - origin, "hole", 0.8, 0.3, 0) for x in (2.5, 20)] if number else []
-
-    found = gap_rows(rows, TIMES, [UNIT], look)
+    # beside U2, whose place is known better, and by itself
+    seen = {"b": [Gap(far + np.array([x * H, 0, 0]), "hole", 0.8, 0.3, 0) for x in (2.5, 20)]}
+    found = gap_rows(rows, TIMES, [UNIT], seen)
     assert [(g["epoch"], g["kind"], g.get("unit_id"), round((g["geometry"][0] - far[0]) / H, 3)) for g in found] == [
         ("a", "unseen", "U5", 8), ("b", "lost", "U2", 2), ("b", "unseen", "U3", 4), ("b", "hole", None, 20)
     ]  # fmt: skip
