@@ -41,7 +41,7 @@ from .result_rows import (
 from .run_record import RunRecord, record_run
 from .schema import LAYERS
 from .survey import Epoch, Survey
-from .tile_jobs import JobRunner, plan_blocks
+from .tile_jobs import JobRunner, loaded_arrays, plan_blocks
 from .tiles import TileInfo, inspect_tile, read_points
 from .trajectory import BeamNoise, read_stations, read_trajectory
 from .unit_types import UnitType
