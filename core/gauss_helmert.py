@@ -56,6 +56,9 @@ APPROACH_SAMPLE = 250
 """Points with which the adjustment comes near before it uses all."""
 CORRELATION_SAMPLE = 2500
 """Points among which the correlation of residuals is looked for; all pairs are formed."""
+PAIR_SAMPLES = (500, 2000)
+"""Points whose near pairs make the covariance, first to see whether correlation matters, then, if it does, for good: with 500 the sum
+over pairs is itself so uncertain that 95 % regions hold 92 %."""
 IMPOSSIBLE = 6.36
 """Standard deviations beyond its edge from which a point cannot lie on a surface (1e-10)."""
 _CELLS = 12
@@ -1296,8 +1299,7 @@ class _Solver:
             return nothing
         information = _FORMS**2 @ counts
         correlated, inflation = nothing, 1.0
-        few = chosen[:: math.ceil(len(chosen) / 500)]
-        for _ in range(2):
+        for most in PAIR_SAMPLES:
             # the fit takes a little of every pair's product away, the more the fewer independent points there are
             strengths = _FORMS @ (sums - inflation * expected) / information
             deviations = strengths * np.sqrt(information)
@@ -1310,6 +1312,7 @@ class _Solver:
             if strength <= 0:
                 return nothing
             length, exponent = float(_CORRELATION_LENGTHS[best]) * self.unit.height, float(_CORRELATION_EXPONENTS[best])
+            few = chosen[:: math.ceil(len(chosen) / most)]
             pairs = np.zeros((12, 12))
             _pair_products(self.feet, self.rows, few, length, exponent, length * (4.0 if exponent == 1 else 2.2), pairs)
             correlated = strength * (len(used) / len(few)) ** 2 * pairs
