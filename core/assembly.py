@@ -99,7 +99,7 @@ def refine(
 
 def evidence(
     poses: FloatArray, points: FloatArray, normals: FloatArray, curved: NDArray[np.int8], active: NDArray[np.bool_], grid: Grid,
-    unit: UnitType, tolerance: float,
+    unit: UnitType, tolerance: float, noise: float,
 ) -> FloatArray:  # fmt: skip
     """What the points say about each pose: (k, 7) with columns SUPPORT, CLOSE, INSIDE, CELLS, LEGS, RMS, REACHED.
 
@@ -107,9 +107,11 @@ def evidence(
     and fillets whose normal does not agree, INSIDE points
     (active or not) deep within the solid but for the outer part of one leg, which may be broken off, CELLS the surface cells
     (of 132) holding support, LEGS legs with at least two such cells, RMS the misfit of the support in metres, REACHED the active
-    points near the unit.
+    points near the unit. ``noise`` of a point, metres, tells how far tips and fillets can be seen at all.
     """
-    shape: tuple[Any, ...] = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance)
+    # what is rounded shows in the normals where the noise is well below the least of it
+    seen = min(max(1.5 - 4.5 * noise / (EDGE_RATIO * unit.height), 0.0), 1.0)
+    shape: tuple[Any, ...] = (unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance, seen)
     cells: tuple[Any, ...] = (grid.start, grid.order, grid.origin, grid.size, grid.cell)
     if len(poses) > 4:
         return np.asarray(_evidence_of_many(poses, points, normals, curved, active, *cells, *shape))
@@ -362,13 +364,13 @@ def _refine_one(
 @kernel(parallel=True)
 def _evidence_of_many(
     poses: Any, points: Any, normals: Any, curved: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
-    legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
+    legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float, seen: float,
 ) -> Any:  # fmt: skip
     out = np.zeros((len(poses), 7))
     for i in prange(len(poses)):
         _evidence_of_one(
             out[i], poses[i], points, normals, curved, active, start, order, origin, size, cell,
-            legs, radius, gradient, length, height, tolerance,
+            legs, radius, gradient, length, height, tolerance, seen,
         )  # fmt: skip
     return out
 
@@ -376,7 +378,7 @@ def _evidence_of_many(
 @kernel()
 def _evidence_of_one(
     out: Any, pose: Any, points: Any, normals: Any, curved: Any, active: Any, start: Any, order: Any, origin: Any, size: Any,
-    cell: float, legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
+    cell: float, legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float, seen: float,
 ) -> None:  # fmt: skip
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
     low = 0.2 * height
@@ -398,7 +400,8 @@ def _evidence_of_one(
     cells = np.zeros(132, dtype=np.int64)
     outer = 0.6 * length
     # the nearest neighbours of an element this close to a crease lie on two legs
-    blurred = LEAST_RADIUS_RATIO * height
+    blurred = seen * LEAST_RADIUS_RATIO * height
+    rounded = (1.0 - seen * (1.0 - TIP_RATIO)) * length
     # where two legs meet they are concave: so far from there the sense of curvature tells nothing
     half = np.sqrt(0.5 + 0.5 * (legs[0, 0] * legs[1, 0] + legs[0, 1] * legs[1, 1] + legs[0, 2] * legs[1, 2]))
     concave = radius * half / (np.sqrt(1.0 - half * half) + gradient * half) + (BEND_RADIUS_RATIO + EDGE_RATIO) * height
@@ -441,7 +444,7 @@ def _evidence_of_one(
                 flat = curved[q] < 0 and part == 0 and axial > concave
                 if flat or not (agree > LEAST_AGREEMENT or (unsigned and agree < -LEAST_AGREEMENT)):
                     # rounded tips and the fillets of creases are no cone: what disagrees there says nothing
-                    if axial > TIP_RATIO * length or _crease_distance(x, y, z, leg, axial, legs) < blurred:
+                    if axial > rounded or _crease_distance(x, y, z, leg, axial, legs) < blurred:
                         out[1] -= 1
                         out[6] -= 1
                     continue

@@ -105,7 +105,7 @@ class JudgedPoses:
     tolerance
         Distance within which an element supports a unit, metres.
     typical_misfit
-        Misfit of the better supported half of the poses, metres.
+        Misfit of the poses that are surely units, metres.
     """
 
     elements: SurfaceElements
@@ -197,7 +197,9 @@ def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolera
             poses[k] = refine(
                 poses[k : k + 1], elements.points, elements.normals, own & ~doubtful, grid, unit, tolerance, most=1500, sweeps=20
             )[0]
-            table[k] = evidence(poses[k : k + 1], elements.points, elements.normals, elements.curved, own, grid, unit, tolerance)[0]
+            table[k] = evidence(
+                poses[k : k + 1], elements.points, elements.normals, elements.curved, own, grid, unit, tolerance, elements.noise
+            )[0]
     certainty = np.ones(len(poses))
     for k in map(int, np.flatnonzero(table[:, LEGS] <= 2)):
         own = (owner == k) | (owner < 0)
@@ -263,7 +265,7 @@ def _best_rival(
     rivals = rivals[different]
     # most twists end in the same few poses
     rivals = rivals[without_copies(rivals, unit.symmetries, 0.02 * unit.height, np.cos(np.radians(2)))]
-    table = evidence(rivals, elements.points, elements.normals, elements.curved, own, grid, unit, tolerance)
+    table = evidence(rivals, elements.points, elements.normals, elements.curved, own, grid, unit, tolerance, elements.noise)
     value = np.array([worth(row) for row in table])
     neighbours = others[np.sum((others[:, :3] - pose[:3]) ** 2, axis=1) < (1.5 * unit.height) ** 2]
     for k in np.argsort(-value, kind="stable"):
@@ -273,11 +275,16 @@ def _best_rival(
 
 
 def _typical_misfit(table: FloatArray) -> float:
-    """Median misfit of the better supported half of the poses, metres: what fitting real surfaces leaves in this cloud."""
+    """Median misfit of the poses that are surely units, metres: what fitting real surfaces leaves in this cloud.
+
+    Where rock abounds most poses are none. Units are the poses whose elements' normals agree nearly as often as those of the best
+    supported poses do.
+    """
     if not len(table):
         return 0.0
-    order = np.argsort(-table[:, SUPPORT], kind="stable")
-    return float(np.median(table[order[: max(1, len(order) // 2)], RMS]))
+    agreeing = table[:, SUPPORT] / np.maximum(table[:, CLOSE], 1.0)
+    strong = table[:, SUPPORT] >= 0.5 * table[:, SUPPORT].max()
+    return float(np.median(table[agreeing >= 0.9 * np.median(agreeing[strong]), RMS]))
 
 
 def score(row: FloatArray, tolerance: float, typical: float) -> float:

@@ -53,7 +53,7 @@ def select(
     """
 
     def judge(poses: FloatArray) -> FloatArray:
-        return evidence(poses, elements.points, elements.normals, elements.curved, active, grid, unit, tolerance)
+        return evidence(poses, elements.points, elements.normals, elements.curved, active, grid, unit, tolerance, elements.noise)
 
     table = judge(candidates)
     value = np.array([worth(row) for row in table])

@@ -98,13 +98,15 @@ def test_evidence_speaks_for_the_true_pose_and_against_a_shifted_one():
     grid = build_grid(elements.points, 0.3)
     active = np.ones(len(elements.points), dtype=bool)
     shifted = pose.shifted([0, 0, 0.3])
-    table = evidence(np.array([row(pose), row(shifted)]), elements.points, elements.normals, elements.curved, active, grid, UNIT, 0.02)
+    table = evidence(
+        np.array([row(pose), row(shifted)]), elements.points, elements.normals, elements.curved, active, grid, UNIT, 0.02, elements.noise
+    )
     assert table[0, INSIDE] == 0
     assert table[0, CELLS] > 30
     assert table[0, SUPPORT] > 0.8 * len(elements.points)
     assert table[1, INSIDE] > 50
     # one pose at a time takes another path through the code
-    single = evidence(row(shifted)[None], elements.points, elements.normals, elements.curved, active, grid, UNIT, 0.02)
+    single = evidence(row(shifted)[None], elements.points, elements.normals, elements.curved, active, grid, UNIT, 0.02, elements.noise)
     np.testing.assert_array_equal(single[0], table[1])
 
 
