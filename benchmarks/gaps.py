@@ -4,21 +4,22 @@
 
 SURVEY is a folder with survey.toml and truth/, RESULT what ``tetratrack run`` made of it; gaps are looked for anew. A gap is right when
 a unit that the epoch's result lacks, or one taken away since the first epoch, lies within 0.5 H of it. Each epoch is judged twice: with
-all it knows from the other epochs, and from its own cloud and packing alone.
+all it knows from the other epochs, and from its own cloud and packing alone. Processor time of the search, reading of the tiles
+included, goes to stderr; the first is that of compiling too.
 """
 
 from __future__ import annotations
 
 import argparse
-import csv
 import sys
 import tempfile
+import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from ground_truth import CENTRE_TOLERANCE
+from ground_truth import CENTRE_TOLERANCE, unit_rows
 from numpy.typing import NDArray
 from tetratrack.core.gap_rows import gap_rows, look_into_tiles
 from tetratrack.core.quality import ACCEPTED
@@ -35,8 +36,7 @@ NEAR = 0.5
 
 def missing_units(folder: Path, label: str, labels: Sequence[str], found: FloatArray, height: float) -> tuple[FloatArray, FloatArray]:
     """(m, 3) centres of true units of an epoch without a pose near, and (g, 3) last centres of those taken away before it."""
-    with (folder / "truth" / "units.csv").open(newline="", encoding="utf-8") as stream:
-        rows = list(csv.DictReader(stream))
+    rows = unit_rows(folder)
     place = {(row["unit_id"], row["epoch"]): np.array([float(row[k]) for k in "ENH"]) for row in rows if row["E"]}
     missed = [c for (_, epoch), c in place.items() if epoch == label and not _near(c, found, CENTRE_TOLERANCE * height)]
     earlier = labels[: labels.index(label)][::-1]
@@ -62,8 +62,11 @@ def judge(folder: Path, result: Path) -> list[str]:
     when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
     labels = [label for label, _ in when]
     checksums = record_run(survey, 0, {}).checksums
+    registrations = register_epochs(survey, plans, Feedback())
+    clock = time.process_time()
     with tempfile.TemporaryDirectory() as folder_of_jobs, JobRunner(Path(folder_of_jobs)) as runner:
-        seen = look_into_tiles(rows, survey, plans, units, register_epochs(survey, plans, Feedback()), checksums, runner)
+        seen = look_into_tiles(rows, survey, plans, units, registrations, checksums, runner)
+    print(f"{folder.name}: {(time.process_time() - clock) / len(plans):.1f} CPU-seconds an epoch", file=sys.stderr, flush=True)
     gaps = gap_rows(rows, when, units, seen)
     lines = []
     for label in labels:

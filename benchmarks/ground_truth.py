@@ -72,6 +72,12 @@ class Match:
     missed: list[int]
 
 
+def unit_rows(folder: Path) -> list[dict[str, str]]:
+    """Rows of ``truth/units.csv`` of a survey's folder; units taken away have no coordinates."""
+    with (folder / "truth" / "units.csv").open(newline="", encoding="utf-8") as stream:
+        return list(csv.DictReader(stream))
+
+
 def read_epoch(survey: Survey, label: str) -> EpochCloud:
     """Read the tiles and truth of an epoch; the truth is brought into the cloud's frame by the targets where there are any."""
     epoch = survey.epoch(label)
@@ -81,13 +87,12 @@ def read_epoch(survey: Survey, label: str) -> EpochCloud:
     if epoch.control is not None and epoch.targets is not None:
         move = register(read_control(epoch.control), read_targets(epoch.targets)).transformation
     units = []
-    with (survey.path.parent / "truth" / "units.csv").open(newline="", encoding="utf-8") as stream:
-        for row in csv.DictReader(stream):
-            if row["epoch"] != label or row["status"] == "removed":
-                continue
-            pose = Pose.from_quaternion([float(row[k]) for k in "ENH"], [float(row[k]) for k in ("qx", "qy", "qz", "qw")])
-            pose = _to_cloud(pose, move).shifted(-cloud.origin)
-            units.append(TrueUnit(row["unit_id"], pose, float(row["visible_area_fraction"]), row["broken"] == "1", row["status"]))
+    for row in unit_rows(survey.path.parent):
+        if row["epoch"] != label or row["status"] == "removed":
+            continue
+        pose = Pose.from_quaternion([float(row[k]) for k in "ENH"], [float(row[k]) for k in ("qx", "qy", "qz", "qw")])
+        pose = _to_cloud(pose, move).shifted(-cloud.origin)
+        units.append(TrueUnit(row["unit_id"], pose, float(row["visible_area_fraction"]), row["broken"] == "1", row["status"]))
     return EpochCloud(label, cloud.xyz, cloud.origin, tuple(units))
 
 

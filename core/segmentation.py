@@ -42,7 +42,7 @@ FOUND_SCORE = 0.65
 """Units of at least this score are stated as found; the others are kept as uncertain."""
 CLEARANCE_IN_NOISE = 2.0
 """Points are used where no other unit's surface comes nearer than this multiple of the noise."""
-LISTED_SCORE = 0.05
+LISTED_SCORE = 0.2
 """Poses of a lower score are chance alignments of rock, wall and water and are not reported at all."""
 SCORE_WEIGHTS = (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)
 SCORE_INTERCEPT = -4.48
