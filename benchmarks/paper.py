@@ -324,8 +324,8 @@ def future_work(fits: int) -> dict[str, Any]:
 
     result: dict[str, Any] = {
         "white noise 2 cm": study(2 * fits, POINTS, 0.02, nothing, options=ideal),
-        "roughness 5 mm / 10 cm, noise 5 mm": study(2 * fits, POINTS, 0.005, rough, options=ideal),
-        "roughness 5 mm / 10 cm, noise 2 cm": study(2 * fits, POINTS, 0.02, rough, options=ideal),
+        "roughness 5 mm / 10 cm, noise 5 mm": study(5 * fits, POINTS, 0.005, rough, options=ideal),
+        "roughness 5 mm / 10 cm, noise 2 cm": study(5 * fits, POINTS, 0.02, rough, options=ideal),
     }
     for kind in ("neighbour", "rock", "growth", "anywhere"):
         result[f"30 % bad points: {kind}"] = study(fits, 1400, 0.02, gross(0.3, kind), options=ideal)

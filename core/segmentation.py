@@ -42,8 +42,9 @@ FOUND_SCORE = 0.65
 """Units of at least this score are stated as found; the others are kept as uncertain."""
 CLEARANCE_IN_NOISE = 2.0
 """Points are used where no other unit's surface comes nearer than this multiple of the noise."""
-LISTED_SCORE = 0.2
-"""Poses of a lower score are chance alignments of rock, wall and water and are not reported at all."""
+LISTED_EVIDENCE, LISTED_SCORE = 0.2, 0.05
+"""Poses of less evidence are chance alignments of rock, wall and water; where the evidence is good but the twist about a leg is open, the
+score may be lower still. What is below either is not reported at all."""
 SCORE_WEIGHTS = (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)
 SCORE_INTERCEPT = -4.48
 WORTH_ANOTHER_PASS = 0.3
@@ -211,14 +212,15 @@ def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolera
 def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmentation:
     """State which poses are units, and hand the raw points out."""
     poses, table, tolerance, elements = judged.poses, judged.evidence, judged.tolerance, judged.elements
-    scores = judged.certainty * np.array([score(row, tolerance, judged.typical_misfit) for row in table])
+    found = np.array([score(row, tolerance, judged.typical_misfit) for row in table])
+    scores = judged.certainty * found
     shared = np.zeros(len(poses))
     for k in range(len(poses)):
         stronger = np.flatnonzero((scores >= FOUND_SCORE) & (scores > scores[k]))
         for j in stronger[np.sum((poses[stronger, :3] - poses[k, :3]) ** 2, axis=1) < (1.29 * unit.height) ** 2]:
             shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
     entered = shared > MOST_INTERPENETRATION
-    kept = np.flatnonzero(scores >= LISTED_SCORE)
+    kept = np.flatnonzero((found >= LISTED_EVIDENCE) & (scores >= LISTED_SCORE))
     units = tuple(
         DetectedUnit(
             Pose(poses[k, :3], poses[k, 3:].reshape(3, 3)),

@@ -247,6 +247,20 @@ def test_rounded_tips_are_not_taken_for_discs() -> None:
     assert np.linalg.norm(result.pose.centre - pose.centre) < 0.002
 
 
+@pytest.mark.parametrize(("noise", "used"), [(0.005, False), (0.07, True)])
+def test_tips_are_left_out_only_where_the_noise_lets_their_rounding_show(noise: float, used: bool) -> None:
+    rng = np.random.default_rng(31)
+    pose = random_pose(rng)
+    body, _, leg = sample_surface(UNIT, 3000, rng, end_discs=False)
+    result = adjust(pose.to_frame(body + rng.normal(0, noise, body.shape)), UNIT, pose)
+    axial = np.einsum("ij,ij->i", body, UNIT.leg_directions[leg]) / UNIT.leg_length
+    # by the foot of the perpendicular, which the noise shifts along the leg
+    tips = (axial > 0.93) & (axial < 0.97)
+    assert tips.sum() > 50
+    share = float((result.weights[tips] > 0).mean())
+    assert share > 0.8 if used else share < 0.05
+
+
 def test_beam_covariances_weight_points_by_their_incidence() -> None:
     rng = np.random.default_rng(17)
     gain, far = [], []

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from tetratrack.core.aggregation import assign
-from tetratrack.core.assembly import CELLS, INSIDE, SUPPORT, evidence, poses_from_pairs, refine
+from tetratrack.core.assembly import CELLS, CLOSE, INSIDE, SUPPORT, evidence, poses_from_pairs, refine
 from tetratrack.core.conic_ransac import find_legs
 from tetratrack.core.neighbourhood import build_grid, gather
 from tetratrack.core.pose import Pose, rotation_angle
@@ -79,6 +79,21 @@ def test_normals_and_noise_of_a_unit():
     assert np.isclose(elements.spacing, 0.015, rtol=0.5)
 
 
+def test_a_wall_is_known_to_be_too_flat_for_a_leg_and_a_leg_is_not():
+    rng = np.random.default_rng(21)
+    wall = surface_elements(np.column_stack([rng.uniform(0, 6, (40000, 2)), rng.normal(0, 0.005, 40000)]), UNIT.height)
+    middle = np.abs(wall.points[:, :2] - 3).max(axis=1) < 2.5
+    assert (wall.curved[middle] == -1).mean() > 0.95
+    pose = turned(3)
+    legs = surface_elements(seen_from_above(pose, 40000, 0.005, 22), UNIT.height)
+    axial = relate(pose.to_body(legs.points), UNIT).axial
+    plain = (axial > 0.35 * UNIT.height) & (axial < 0.55 * UNIT.height)
+    assert (legs.curved[plain] == 1).mean() > 0.9
+    # where noise hides the bend nothing is said
+    noisy = surface_elements(np.column_stack([rng.uniform(0, 6, (4000, 2)), rng.normal(0, 0.1, 4000)]), UNIT.height)
+    assert (noisy.curved == -1).mean() < 0.05
+
+
 def test_legs_are_found_and_pairs_of_them_give_the_pose():
     pose = turned(5)
     elements = surface_elements(seen_from_above(pose, 20000, 0.005, 6), UNIT.height)
@@ -110,6 +125,27 @@ def test_evidence_speaks_for_the_true_pose_and_against_a_shifted_one():
     np.testing.assert_array_equal(single[0], table[1])
 
 
+def test_what_disagrees_on_rounded_tips_says_nothing_where_the_noise_lets_them_show():
+    pose = turned(7)
+    elements = surface_elements(seen_from_above(pose, 20000, 0.005, 8), UNIT.height)
+    relation = relate(pose.to_body(elements.points), UNIT)
+    tips = relation.axial > 0.9 * UNIT.leg_length
+    # normals on the tips as a rounding would have them: 45 degrees towards the end
+    axes = UNIT.leg_directions[relation.leg] @ pose.rotation.T
+    leaning = relation.normal @ pose.rotation.T + axes
+    normals = np.where(tips[:, None], leaning / np.linalg.norm(leaning, axis=1, keepdims=True), elements.normals)
+    grid = build_grid(elements.points, 0.3)
+    active = np.ones(len(elements.points), dtype=bool)
+
+    def close(noise: float) -> int:
+        table = evidence(row(pose)[None], elements.points, normals, elements.curved, active, grid, UNIT, 0.02, noise)
+        return int(table[0, CLOSE])
+
+    lateral = tips & (relation.part == 0)
+    assert lateral.sum() > 100
+    assert close(0.02 * UNIT.height) - close(0.001 * UNIT.height) >= 0.9 * lateral.sum()
+
+
 def test_overlap_of_solids():
     a = row(Pose(np.zeros(3), np.eye(3)))
     assert overlap(a, a, UNIT) > 0.99
@@ -138,6 +174,22 @@ def test_points_go_to_the_nearest_unit_and_contested_ones_to_none():
     # the two end discs that face each other across a gap of 2 cm, and nothing far from them
     assert len(dropped) > 50
     assert np.abs(dropped[:, 2] - UNIT.leg_length - 0.01).max() < 0.1
+
+
+def test_points_towards_a_neighbour_are_given_up_on_both_sides():
+    gap = 0.3
+    first = Pose(np.zeros(3), np.eye(3))
+    second = Pose(np.array([0.0, 0.0, 2 * UNIT.leg_length + gap]), Rotation.from_euler("x", 180, degrees=True).as_matrix())
+    rng = np.random.default_rng(10)
+    # points of the middle of the first unit's upper end disc, with noise across it
+    offset = rng.uniform(-0.25, 0.25, 2000)
+    points = np.column_stack([rng.uniform(-0.05, 0.05, (2000, 2)), UNIT.leg_length + offset])
+    labels, _ = assign(points, np.array([row(first), row(second)]), UNIT, 0.5, clearance=0.05)
+    kept = offset[labels == 0]
+    # the neighbour takes what lies beyond the middle of the gap, and the mirror images of that belong to nobody
+    assert kept.max() < gap / 2
+    assert kept.min() > -gap / 2
+    assert abs(kept.mean()) < 0.01
 
 
 @pytest.mark.parametrize("noise", [0.01, 0.1])
