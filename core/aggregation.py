@@ -52,9 +52,8 @@ def contested(points: FloatArray, labels: IntArray, poses: FloatArray, unit: Uni
     not by residual, and where its mirror image in its own unit's surface is nearer to another: points on the side towards a neighbour
     are lost to it, and without those on the other side they leave no bias.
     """
-    reach = unit.reach + clearance
     near_another = np.zeros(len(points), dtype=np.bool_)
-    near_units = cKDTree(poses[:, :3]).query_ball_point(poses[:, :3], 2 * reach)
+    centres = cKDTree(poses[:, :3])
     order = np.argsort(labels, kind="stable")
     starts = np.searchsorted(labels[order], np.arange(len(poses) + 1))
     for k in range(len(poses)):
@@ -64,7 +63,9 @@ def contested(points: FloatArray, labels: IntArray, poses: FloatArray, unit: Uni
         normal = relation.normal @ rotation.T
         foot = points[own] - relation.distance[:, None] * normal
         size = np.abs(relation.distance)
-        for j in near_units[k]:
+        # a surface that is nearer to an image than the point's own is nearer to the foot than twice as far
+        reach = unit.reach + max(clearance, 2 * float(size.max(initial=0.0)))
+        for j in centres.query_ball_point(poses[k, :3], unit.reach + reach):
             inside = np.flatnonzero(np.sum((foot - poses[j, :3]) ** 2, axis=1) < reach**2)
             if j == k or not len(inside):
                 continue
