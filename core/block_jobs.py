@@ -288,7 +288,7 @@ def _found(cloud: PointCloud, number: int, unit: SurveyUnit, seed: int) -> tuple
         reach = HALO_HEIGHTS * unit.type.height
         around = Window(*corners.min(axis=0).tolist(), *corners.max(axis=0).tolist()).grown(reach)
         near = np.flatnonzero(around.contains(cloud.xyz + cloud.origin))
-    result = segment(cloud.xyz[near], unit.type, seed=seed)
+    result = segment(cloud.xyz[near], unit.type, seed=seed, workers=1)
     table = _table(
         [_row(u.pose) for u in result.units],
         [number] * len(result.units),

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TypeVar, cast
 
-from numba import njit
+import numba
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
@@ -16,5 +17,16 @@ def kernel(*, parallel: bool = False) -> Callable[[Function], Function]:
     Sums may be taken in another order, so that they run in vector registers; what is not finite stays so. ``parallel`` loops must
     give every pass of their ``prange`` its own output.
     """
-    compiled = njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc", "arcp", "nsz"}, parallel=parallel)
+    compiled = numba.njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc", "arcp", "nsz"}, parallel=parallel)
     return cast(Callable[[Function], Function], compiled)
+
+
+@contextmanager
+def threads_of_kernels(count: int) -> Iterator[None]:
+    """Let parallel kernels use at most ``count`` threads meanwhile."""
+    before = numba.get_num_threads()
+    numba.set_num_threads(min(count, before))
+    try:
+        yield
+    finally:
+        numba.set_num_threads(before)

@@ -32,6 +32,7 @@ from numpy.typing import NDArray
 
 from .errors import Cancelled, InputError, OutputError, TetratrackError
 from .geopackage import replace_durably, temporary_beside
+from .kernels import threads_of_kernels
 from .tiles import TileInfo, Window
 
 FloatArray = NDArray[np.float64]
@@ -197,7 +198,7 @@ class JobRunner:
     folder
         Where results are kept; shared by all machines of a cluster.
     workers
-        Number of local processes; 1 works in this process.
+        Number of local processes, and of cores used by all of them; 1 works in this process.
     scheduler
         Address of a dask scheduler, or None.
     is_cancelled
@@ -248,7 +249,9 @@ class JobRunner:
         for task in tasks:
             if self.is_cancelled():
                 raise Cancelled("cancelled")
-            _run_and_save(*task)
+            # a single job may use the cores of all workers, and no more
+            with threads_of_kernels(self.workers):
+                _run_and_save(*task)
             yield
 
     def _in_processes(self, tasks: Sequence[Task]) -> Iterator[None]:
