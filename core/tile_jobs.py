@@ -38,8 +38,8 @@ from .tiles import TileInfo, Window
 FloatArray = NDArray[np.float64]
 Arrays = Mapping[str, NDArray[Any]]
 
-BLOCK_HEIGHTS = 20.0
-"""Side of a block in unit heights: about a hundred units of surface, large beside the halo and small beside memory."""
+BLOCK_HEIGHTS = 30.0
+"""Side of a block in unit heights: some two hundred units of surface, large beside the halo and small beside memory."""
 LEAST_BLOCK_HEIGHTS = 5.0
 MOST_BLOCK_POINTS = 3_000_000
 """Points per block that a worker with 1 GiB can hold with all that is derived from them."""
