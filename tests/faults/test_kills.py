@@ -54,9 +54,11 @@ def test_fifty_kills_and_every_resumed_result_is_the_same(survey: Path, expected
             os.killpg(process.pid, signal.SIGKILL)
             process.wait()
             kills += 1
-            assert not output.exists()
-            continue
-        assert process.returncode == 0
+            # killed while it was leaving, with the result in place: then it is whole
+            if not output.exists():
+                continue
+        else:
+            assert process.returncode == 0
         assert contents(output) == expected
         finished += 1
         output.unlink()
