@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 Row = dict[str, Any]
 NEAREST = 3
-SURROUNDINGS_HEIGHTS = 6.0
+KNOWN_HEIGHTS = 6.0
 """A job knows the units this far around its block, in heights: more than the run of the armour's surface is told from."""
 
 
@@ -132,7 +132,7 @@ def look_into_tiles(
         transformation = Transformation.identity(origin) if registration is None else registration.transformation
         where = transformation.invert(poses[:, :3] + origin)
         for block in plan.blocks:
-            near = block.core.grown(SURROUNDINGS_HEIGHTS * whole.height).contains(where)
+            near = block.core.grown(KNOWN_HEIGHTS * whole.height).contains(where)
             if not block.core.grown(2 * REACH_HEIGHTS * whole.height).contains(where).any():
                 continue
             armour = replace(whole, poses=poses[near], kinds=whole.kinds[near], tree=cKDTree(poses[near, :3]))

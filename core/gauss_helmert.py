@@ -21,13 +21,14 @@ import math
 from copy import copy
 from dataclasses import dataclass
 from statistics import NormalDist
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
 from .errors import InputError
+from .kernels import COMPILED
 from .pose import Pose
 from .tetrapod import END_DISC, LATERAL
 from .unit_types import UnitType
@@ -198,18 +199,17 @@ class Adjustment:
         return unit.with_shape(self.radius, self.gradient)
 
 
-_COMPILED: dict[str, Any] = {"cache": True, "error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
-_INLINED = _COMPILED | {"inline": "always"}
+_INLINED = COMPILED | {"inline": "always"}
 """Of the innermost functions: passing a dozen arrays costs as much as the work itself (measured: a third of a linearisation)."""
 
 
-@njit(**_COMPILED)  # type: ignore[untyped-decorator]
+@njit(**COMPILED)  # type: ignore[untyped-decorator]
 def _ramp(t: float) -> float:
     """0 up to 3/4 of an edge's width, 1 from 5/4: a hard limit would let points flip in and out for ever."""
     return min(max(2.0 * (t - 0.75), 0.0), 1.0)
 
 
-@njit(**_COMPILED)  # type: ignore[untyped-decorator]
+@njit(**COMPILED)  # type: ignore[untyped-decorator]
 def _robust_weight(u: float) -> tuple[float, float]:
     """Weight of a standardised residual, and the derivative of weight times residual."""
     v = (abs(u) - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT)
@@ -235,7 +235,7 @@ _SCALE_CONTRACTION = math.sqrt(_weighted_square(1.01) / _SCALE_CONSISTENCY) / 0.
 """Share of its error that a scale keeps when it is refined once, for clean data."""
 
 
-@njit(**_COMPILED)  # type: ignore[untyped-decorator]
+@njit(**COMPILED)  # type: ignore[untyped-decorator]
 def _inside_probability(t: float) -> float:
     if t > 6.0:
         return 1.0
@@ -416,7 +416,7 @@ def _add_outer(matrix, row, factor, part):  # type: ignore[no-untyped-def]
             matrix[part + 4, b] += p * row[b]
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def linearise_points(  # type: ignore[no-untyped-def]
     points, centre, rotation, axes, creases, shape, ends, cov, given, opened, discs, scale, correct, tip, edge, redescend, final,
     normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, rows, feet,
@@ -575,7 +575,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
     return squares, total_weight, psi_squares, slopes, singles
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, stride, out):  # type: ignore[no-untyped-def]
     """What the noise along the surface adds to the normal equations but not to what the points determine, into ``out`` (12, 12).
 
@@ -626,7 +626,7 @@ def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, str
     out *= all_weight / max(taken, 1.0)
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _turned(rotation, vector):  # type: ignore[no-untyped-def]
     """rotation @ exp([vector]x), by Rodrigues' formula."""
     x, y, z = vector[0], vector[1], vector[2]
@@ -640,7 +640,7 @@ def _turned(rotation, vector):  # type: ignore[no-untyped-def]
     return rotation @ turn
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _step(normal, rhs, free, scaling, prior_weights, nominal, leg_length, centre, rotation, shape, leg_errors, change):  # type: ignore[no-untyped-def]
     """Make one Gauss-Newton step in place, no longer than a leg's width and kept in ``change``; returns its squared length in standard
     deviations.
@@ -698,7 +698,7 @@ def _step(normal, rhs, free, scaling, prior_weights, nominal, leg_length, centre
     return gain
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _scaled(matrix, chosen, scaling):  # type: ignore[no-untyped-def]
     """Rows and columns of a (12, 12) matrix by number, each times its unknown's scaling."""
     n = len(chosen)
@@ -709,7 +709,7 @@ def _scaled(matrix, chosen, scaling):  # type: ignore[no-untyped-def]
     return scaled
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _guarded(correlated, noise_part, free, scaling):  # type: ignore[no-untyped-def]
     """The correlated part without negative directions, if sampling the pairs of a large cloud has made any that matter."""
     chosen = np.flatnonzero(free)
@@ -724,7 +724,7 @@ def _guarded(correlated, noise_part, free, scaling):  # type: ignore[no-untyped-
     return result
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _inverse_root(matrix, free, scaling):  # type: ignore[no-untyped-def]
     """(12, m) root whose square is the inverse of a (12, 12) matrix in the free unknowns, over the m directions that are determined; and
     the (k, 12) unit directions, scaled, that are not."""
@@ -742,7 +742,7 @@ def _inverse_root(matrix, free, scaling):  # type: ignore[no-untyped-def]
     return root, undetermined
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _sizes(residuals, biases, sds):  # type: ignore[no-untyped-def]
     """(n,) sizes of the standardised residuals, inf for points that belong to no part."""
     sizes = np.abs((residuals - biases) / sds)
@@ -752,7 +752,7 @@ def _sizes(residuals, biases, sds):  # type: ignore[no-untyped-def]
     return sizes
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _redundancy(whitened, weights, legs, parts, sds, scale, numbers, detectable):  # type: ignore[no-untyped-def]
     """Redundancy number and minimal detectable bias of every used point; returns the sum of their influences, the number of used lateral
     points by leg and the sum of squared standard deviations."""
@@ -773,7 +773,7 @@ def _redundancy(whitened, weights, legs, parts, sds, scale, numbers, detectable)
     return influences, owned, squares
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _clear_counts(points, centre, rotation, axes, opened, sds, weights, legs, scale, enough):  # type: ignore[no-untyped-def]
     """(4,) number of points that belong to each leg beyond doubt: well used and far from the creases with other opened legs. Ends where
     all opened legs have ``enough``."""
@@ -799,7 +799,7 @@ def _clear_counts(points, centre, rotation, axes, opened, sds, weights, legs, sc
     return counts
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _in_cells(points, chosen, size):  # type: ignore[no-untyped-def]
     """The chosen numbers of body-frame points in the order of cubic cells of the given size, and where each cell starts.
 
@@ -823,7 +823,7 @@ def _in_cells(points, chosen, size):  # type: ignore[no-untyped-def]
     return order, starts
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _near_ranges(starts):  # type: ignore[no-untyped-def]
     """(m, 4) ranges first, last, low, high such that every pair i < j of points in the same or touching cells, once, has i in the former
     and j in the latter."""
@@ -846,7 +846,7 @@ def _near_ranges(starts):  # type: ignore[no-untyped-def]
     return ranges[:count]
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _near(points, i, low, high, reach, near, squares):  # type: ignore[no-untyped-def]
     """Points low..high nearer than ``reach`` (squared) to point i into ``near`` and ``squares``; returns their number.
 
@@ -863,7 +863,7 @@ def _near(points, i, low, high, reach, near, squares):  # type: ignore[no-untype
     return count
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _lag_products(points, values, whitened, chosen, height, sums, expected, counts):  # type: ignore[no-untyped-def]
     """Products of residuals over all pairs of points by class of distance, and what the fit makes of white noise there."""
     reach = _LAGS[-1] * height
@@ -887,7 +887,7 @@ def _lag_products(points, values, whitened, chosen, height, sums, expected, coun
                 expected[k] -= 8.0 * hat
 
 
-@njit(**_COMPILED)
+@njit(**COMPILED)
 def _pair_products(points, rows, chosen, length, exponent, reach, out):  # type: ignore[no-untyped-def]
     """Sum over pairs i != j of exp(-(distance / length)^exponent) times the outer product of their rows, into ``out``."""
     order, starts = _in_cells(points, chosen, reach)

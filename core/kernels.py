@@ -4,21 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TypeVar, cast
+from typing import Any, TypeVar, cast
 
 import numba
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
+COMPILED: dict[str, Any] = {"cache": True, "error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
+"""How all kernels are compiled: kept on disk between runs, and sums may be taken in another order, so that they run in vector
+registers; what is not finite stays so."""
+
 
 def kernel(*, parallel: bool = False) -> Callable[[Function], Function]:
-    """Decorator of a compiled loop, kept on disk between runs.
-
-    Sums may be taken in another order, so that they run in vector registers; what is not finite stays so. ``parallel`` loops must
-    give every pass of their ``prange`` its own output.
-    """
-    compiled = numba.njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc", "arcp", "nsz"}, parallel=parallel)
-    return cast(Callable[[Function], Function], compiled)
+    """Decorator of a loop compiled as ``COMPILED`` says; ``parallel`` ones must give every pass of their ``prange`` its own output."""
+    return cast(Callable[[Function], Function], numba.njit(parallel=parallel, **COMPILED))
 
 
 @contextmanager

@@ -29,6 +29,7 @@ from scipy.spatial.transform import Rotation
 from .control import Registration, Transformation
 from .crs import LOCAL, horizontal_transform
 from .errors import InputError
+from .surface_elements import thin
 from .tiles import TileInfo, Window, read_points
 
 if TYPE_CHECKING:
@@ -281,7 +282,7 @@ def _thinned(points: FloatArray, voxel: float) -> FloatArray:
 
 def _cells(points: FloatArray, edge: float) -> NDArray[np.int64]:
     """(n,) number of the cell of :data:`GRID` that each point lies in."""
-    return np.asarray(np.unique(np.floor(points @ GRID / edge).astype(np.int64), axis=0, return_inverse=True)[1]).ravel()
+    return thin(points @ GRID, edge)[1]
 
 
 def _coarse(reference: FloatArray, moving: FloatArray, reach: float) -> FloatArray:

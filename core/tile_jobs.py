@@ -216,6 +216,10 @@ class JobRunner:
         return self
 
     def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End the local processes once their jobs are done; a later call starts new ones."""
         if self._pool is not None:
             self._pool.shutdown(wait=True, cancel_futures=True)
             self._pool = None
@@ -286,7 +290,7 @@ class JobRunner:
             if not clean:
                 for process in set(multiprocessing.active_children()) - self._strangers:
                     process.kill()
-                self.__exit__()
+                self.close()
 
     def _submitted(self, tasks: Sequence[Task]) -> dict[Future[None], Task]:
         # an executor starts its processes as tasks come in: these inherit the environment of this moment

@@ -69,10 +69,12 @@ def pose_covariance(tracking: Tracking, epoch: int, state: TrackedUnit) -> Float
 def may_be(tracking: Tracking, unit: int, epoch: int) -> list[int]:
     """Units of the same type that a lost one may have become in an epoch, or that a new one may have been before."""
     opposite = {"lost": "new", "new": "lost"}.get(tracking.units[unit][epoch].status)
+    if opposite is None:
+        return []
     return [
         k
         for k, states in enumerate(tracking.units)
-        if opposite and epoch in states and states[epoch].status == opposite and tracking.kinds[k] == tracking.kinds[unit]
+        if epoch in states and states[epoch].status == opposite and tracking.kinds[k] == tracking.kinds[unit]
     ]
 
 
