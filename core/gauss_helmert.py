@@ -201,6 +201,11 @@ class Adjustment:
 
 _INLINED = COMPILED | {"inline": "always"}
 """Of the innermost functions: passing a dozen arrays costs as much as the work itself (measured: a third of a linearisation)."""
+_BLOCK = 128
+"""Points that are linearised together; what is known of them then stays in the nearest cache."""
+_WEIGHT, _SCORE, _SINGLE, _X, _Y, _Z, _LEG, _CLEAR, _RESIDUAL, _BIAS = range(8, 18)
+_BLOCK_ROWS = 18
+"""Rows of the work array of a block after the eight derivatives; a column is a point, or a further part that may own it."""
 
 
 @njit(**COMPILED)  # type: ignore[untyped-decorator]
@@ -409,6 +414,12 @@ def _add_outer(matrix, row, factor, part):  # type: ignore[no-untyped-def]
         p = factor * row[a]
         for b in range(8):
             matrix[a, b] += p * row[b]
+    _add_disc(matrix, row, factor, part)
+
+
+@njit(**_INLINED)
+def _add_disc(matrix, row, factor, part):  # type: ignore[no-untyped-def]
+    """Of an outer product only what an end disc's own unknown has in it, below the diagonal."""
     if part >= 4:
         p = factor * row[part + 4]
         matrix[part + 4, part + 4] += p * row[part + 4]
@@ -417,21 +428,144 @@ def _add_outer(matrix, row, factor, part):  # type: ignore[no-untyped-def]
 
 
 @njit(**COMPILED)
+def _add_products(block, count, weight, scaled, matrix):  # type: ignore[no-untyped-def]
+    """Add the outer products of the rows of ``count`` columns, each times its value in row ``weight``, below the diagonal of a matrix.
+
+    Along the points instead of point by point: vector registers then need no sum across them before the end.
+    """
+    for a in range(8):
+        for i in range(count):
+            scaled[i] = block[weight, i] * block[a, i]
+        for b in range(a + 1):
+            total = 0.0
+            for i in range(count):
+                total += scaled[i] * block[b, i]
+            matrix[a, b] += total
+
+
+@njit(**_INLINED)
+def _clear_points(  # type: ignore[no-untyped-def]
+    points, first, count, centre, rotation, axes, spread, r, c, cosine, ends, given, has_given, opened, discs, scale, square_correct, tip,
+    edge, redescend, block,
+):  # fmt: skip
+    """Linearise ``count`` points with equal noise that belong to one leg's lateral surface beyond doubt, into the columns of ``block``.
+
+    Most points do. Without a branch, so that eight are done at once; the others get a weight of zero and ``block[_CLEAR]`` of zero, and are
+    left to :func:`_candidates`. ``spread`` is the largest distance between the ends of two legs' directions. Returns the sums of
+    :func:`linearise_points` over these points.
+    """
+    cx, cy, cz = centre[0], centre[1], centre[2]
+    r00, r01, r02 = rotation[0, 0], rotation[0, 1], rotation[0, 2]
+    r10, r11, r12 = rotation[1, 0], rotation[1, 1], rotation[1, 2]
+    r20, r21, r22 = rotation[2, 0], rotation[2, 1], rotation[2, 2]
+    x0, y0, z0 = axes[0, 0], axes[0, 1], axes[0, 2]
+    x1, y1, z1 = axes[1, 0], axes[1, 1], axes[1, 2]
+    x2, y2, z2 = axes[2, 0], axes[2, 1], axes[2, 2]
+    x3, y3, z3 = axes[3, 0], axes[3, 1], axes[3, 2]
+    # up to where a leg's points have nothing to do with its end disc; an opened leg has one side of it only
+    end0, end1, end2, end3 = ends[0], ends[1], ends[2], ends[3]
+    disc0, disc1, disc2, disc3 = 1.0 * discs[0], 1.0 * discs[1], 1.0 * discs[2], 1.0 * discs[3]
+    open0, open1, open2, open3 = 1.0 * opened[0], 1.0 * opened[1], 1.0 * opened[2], 1.0 * opened[3]
+    at, beside, within = 8.0 * scale, 1.25 * edge * spread, max(8.0 * scale, 1.25 * edge)
+    per_noise = 1.0 / scale
+    windowed = 1.0 if redescend else 0.0
+    squares = total_weight = psi_squares = slopes = singles = 0.0
+    px, py, pz = points[0, first : first + count], points[1, first : first + count], points[2, first : first + count]
+    for i in range(count):
+        dx, dy, dz = px[i] - cx, py[i] - cy, pz[i] - cz
+        x = r00 * dx + r10 * dy + r20 * dz
+        y = r01 * dx + r11 * dy + r21 * dz
+        z = r02 * dx + r12 * dy + r22 * dz
+        l0 = x * x0 + y * y0 + z * z0
+        l1 = x * x1 + y * y1 + z * z1
+        l2 = x * x2 + y * y2 + z * z2
+        l3 = x * x3 + y * y3 + z * z3
+        k = block[_LEG, i]
+        if not has_given:
+            k = 0.0
+            k = 1.0 if l1 > l0 else k
+            k = 2.0 if l2 > max(l0, l1) else k
+            k = 3.0 if l3 > max(max(l0, l1), l2) else k
+        own0, own1, own2, own3 = k == 0.0, k == 1.0, k == 2.0, k == 3.0
+        ax = x1 if own1 else (x2 if own2 else (x3 if own3 else x0))
+        ay = y1 if own1 else (y2 if own2 else (y3 if own3 else y0))
+        az = z1 if own1 else (z2 if own2 else (z3 if own3 else z0))
+        end = end1 if own1 else (end2 if own2 else (end3 if own3 else end0))
+        disc = disc1 if own1 else (disc2 if own2 else (disc3 if own3 else disc0))
+        usable = open1 if own1 else (open2 if own2 else (open3 if own3 else open0))
+        lean = l1 if own1 else (l2 if own2 else (l3 if own3 else l0))
+        ux, uy, uz = x - lean * ax, y - lean * ay, z - lean * az
+        rho = math.sqrt(ux * ux + uy * uy + uz * uz) + 1e-300
+        inverse = 1.0 / rho
+        nx, ny, nz = (ux * inverse + c * ax) * cosine, (uy * inverse + c * ay) * cosine, (uz * inverse + c * az) * cosine
+        e = (rho - r + c * lean) * cosine
+        axial = lean - c * cosine * e
+        # how much further the point, and its foot, reach along this leg than along any other
+        f0 = -1e300 if own0 else l0 - e * (nx * x0 + ny * y0 + nz * z0)
+        f1 = -1e300 if own1 else l1 - e * (nx * x1 + ny * y1 + nz * z1)
+        f2 = -1e300 if own2 else l2 - e * (nx * x2 + ny * y2 + nz * z2)
+        f3 = -1e300 if own3 else l3 - e * (nx * x3 + ny * y3 + nz * z3)
+        foot_lead = axial - max(max(f0, f1), max(f2, f3))
+        m0, m1 = -1e300 if own0 else l0, -1e300 if own1 else l1
+        m2, m3 = -1e300 if own2 else l2, -1e300 if own3 else l3
+        lead = lean - max(max(m0, m1), max(m2, m3))
+        clear = 1.0 if has_given else usable
+        if not has_given:
+            clear = clear if lead >= at else 0.0
+            clear = clear if foot_lead >= beside else 0.0
+        clear_of_disc = (1.0 if end - max(lean, axial) >= within else 0.0) * (1.0 if abs(e) <= at else 0.0)
+        clear *= max(1.0 - disc, clear_of_disc)
+        gate = disc if axial > tip else 1.0
+        if has_given:
+            # points that are left out are dealt with too
+            clear = clear if k >= 0.0 else 1.0
+            gate = gate if k >= 0.0 else 0.0
+        bias = 0.5 * cosine / max(r - c * axial, 0.05 * r) * square_correct
+        u = (e - bias) * per_noise
+        size = abs(u)
+        v = windowed * min(max((size - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT), 0.0), 1.0)
+        robust = (1.0 - v * v) * (1.0 - v * v)
+        narrow = windowed * min(max((size / SCALE_NARROWING - FULL_WEIGHT) / (NO_WEIGHT - FULL_WEIGHT), 0.0), 1.0)
+        narrow = (1.0 - narrow * narrow) * (1.0 - narrow * narrow)
+        counted = clear * gate
+        w = counted * robust
+        narrow *= counted
+        nx, ny, nz = nx * per_noise, ny * per_noise, nz * per_noise
+        block[0, i], block[1, i], block[2, i] = -nx, -ny, -nz
+        block[3, i], block[4, i], block[5, i] = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
+        block[6, i] = -cosine * per_noise
+        block[7, i] = axial * cosine * per_noise
+        block[_WEIGHT, i] = w
+        block[_SCORE, i] = w * u
+        # whether the point counts as one part's alone in the covariance
+        single = counted if robust > 0.0 else 0.0
+        block[_SINGLE, i] = single
+        block[_X, i], block[_Y, i], block[_Z, i] = x, y, z
+        block[_LEG, i], block[_CLEAR, i], block[_RESIDUAL, i], block[_BIAS, i] = k, clear, e, bias
+        squares += narrow * u * u
+        total_weight += narrow
+        psi_squares += single * robust * robust * u * u
+        slopes += single * (robust - size * 4.0 * v * (1.0 - v * v) / (NO_WEIGHT - FULL_WEIGHT))
+        singles += single
+    return squares, total_weight, psi_squares, slopes, singles
+
+
+@njit(**COMPILED)
 def linearise_points(  # type: ignore[no-untyped-def]
-    points, centre, rotation, axes, creases, shape, ends, cov, given, opened, discs, scale, correct, tip, edge, redescend, final,
+    points, centre, rotation, axes, creases, spread, shape, ends, cov, given, opened, discs, scale, correct, tip, edge, redescend, final,
     normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, rows, feet,
 ):  # fmt: skip
     """One linearisation: normal equations, right-hand side and the state of every point.
 
-    ``scale`` standardises residuals and is the noise for memberships, in metres where ``cov`` is None, else a factor on it; ``correct`` is
-    the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for what the covariance needs. Of the 12 unknowns,
-    shift and turn are along the axes of the body, and the last four are the errors of the leg lengths. ``normal`` and ``rhs`` make the
-    Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``
+    ``points`` is (3, n); ``scale`` standardises residuals and is the noise for memberships, in metres where ``cov`` is None, else a factor
+    on it; ``correct`` is the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for what the covariance needs.
+    Of the 12 unknowns, shift and turn are along the axes of the body, and the last four are the errors of the leg lengths. ``normal`` and
+    ``rhs`` make the Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``
     (their rows' outer products), the others ``shared`` (derivative of their scores) and ``shared_scores`` (outer products of these).
     Returns the sum of squared residuals and the sum of weights that make the scale, and of the former points the sums of psi^2, of
     psi', and their number.
     """
-    n = points.shape[0]
+    n = points.shape[1]
     r, c = shape[0], shape[1]
     has_cov = cov is not None
     has_given = given.shape[0] == n
@@ -448,123 +582,179 @@ def linearise_points(  # type: ignore[no-untyped-def]
     which = np.zeros(8, dtype=np.int64)
     row = np.zeros(12)
     mean_score = np.zeros(12)
+    # a point has up to eight parts; rows a power of two apart would share the lines of the cache
+    block = np.zeros((_BLOCK_ROWS, 8 * _BLOCK + 8))
+    scaled = np.empty(8 * _BLOCK)
     cosine = 1.0 / math.sqrt(1.0 + c * c)
     square_correct = correct * correct
     reach = scale
     squares = total_weight = psi_squares = slopes = singles = 0.0
-    for i in range(n):
-        legs[i] = -1
-        parts[i] = 0
-        weights[i] = 0.0
-        residuals[i] = math.nan
-        sds[i] = 1.0
-        biases[i] = 0.0
-        if final:
-            for m in range(12):
-                rows[i, m] = 0.0
-        known = given[i] if has_given else -1
-        if known < 0 and has_given:
-            continue
-        x, y, z = _to_body(points, i, centre, rotation)
+    for first in range(0, n, _BLOCK):
+        members = min(_BLOCK, n - first)
         if has_cov:
-            for a in range(3):
-                for b in range(3):
-                    total = 0.0
-                    for p in range(3):
-                        for q in range(3):
-                            total += rotation[p, a] * cov[i, p, q] * rotation[q, b]
-                    body_cov[a, b] = total
-            reach = scale * math.sqrt(body_cov[0, 0] + body_cov[1, 1] + body_cov[2, 2])
-        count, likeliest = _candidates(
-            x, y, z, known, axes, creases, r, c, cosine, ends, body_cov, has_cov, opened, discs, scale, reach, edge, lean, found, which,
-            density,
-        )  # fmt: skip
-        if count == 0:
-            continue
-        best = which[likeliest]
-        legs[i] = best % 4
-        parts[i] = best // 4
-        residuals[i] = found[best, 3]
-        sds[i] = found[best, 4]
-        biases[i] = found[best, 6] * square_correct
-        total = 1.0
-        for m in range(count):
-            if m != likeliest and density[m] > density[likeliest] - 30.0:
-                total += math.exp(density[m] - density[likeliest])
-        single = total < 1.001
-        if final:
-            feet[i, 0], feet[i, 1], feet[i, 2] = found[best, 8], found[best, 9], found[best, 10]
-            mean_score[:] = 0.0
-        for candidate in range(count):
-            if density[candidate] < density[likeliest] - 7.0:
-                continue
-            k = which[candidate]
-            share = 1.0 / total if k == best else math.exp(density[candidate] - density[likeliest]) / total
-            leg = k % 4
-            # edges are judged at the foot of the perpendicular, which says nothing about the residual
-            gate = 1.0
-            if edge > 0.0 and (k >= 4 or known < 0):
-                gate = _ramp(found[k, 7] / edge)
-            if k < 4:
-                if discs[leg] and edge > 0.0:
-                    gate *= _ramp((ends[leg] - found[k, 5]) / edge)
-                elif not discs[leg] and found[k, 5] > tip:
-                    gate = 0.0
-            if gate == 0.0:
-                continue
-            share *= gate
-            per_noise = 1.0 / (scale * found[k, 4])
-            u = (found[k, 3] - found[k, 6] * square_correct) * per_noise
-            robust = 1.0
-            slope = 1.0
-            narrow = 1.0
-            if redescend:
-                robust, slope = _robust_weight(u)
-                if robust == 0.0:
-                    continue
-                narrow = _robust_weight(u / SCALE_NARROWING)[0]
-            w = share * robust
-            nx, ny, nz = found[k, 0] * per_noise, found[k, 1] * per_noise, found[k, 2] * per_noise
-            row[0], row[1], row[2] = -nx, -ny, -nz
-            row[3], row[4], row[5] = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
-            row[6] = -cosine * per_noise if k < 4 else 0.0
-            row[7] = found[k, 5] * cosine * per_noise if k < 4 else 0.0
-            if k >= 4:
-                row[k + 4] = -per_noise
-                rhs[k + 4] += w * u * per_noise
-            if k == best:
-                weights[i] = w
+            # an inclined noise ellipsoid needs the slower way
+            block[_CLEAR, :members] = 0.0
+            block[_WEIGHT, :members] = 0.0
+            block[_SCORE, :members] = 0.0
+            block[_SINGLE, :members] = 0.0
+            for i in range(members):
+                dx, dy, dz = points[0, first + i] - centre[0], points[1, first + i] - centre[1], points[2, first + i] - centre[2]
+                block[_X, i] = rotation[0, 0] * dx + rotation[1, 0] * dy + rotation[2, 0] * dz
+                block[_Y, i] = rotation[0, 1] * dx + rotation[1, 1] * dy + rotation[2, 1] * dz
+                block[_Z, i] = rotation[0, 2] * dx + rotation[1, 2] * dy + rotation[2, 2] * dz
+        else:
+            if has_given:
+                for i in range(members):
+                    block[_LEG, i] = given[first + i]
+            sums = _clear_points(
+                points, first, members, centre, rotation, axes, spread, r, c, cosine, ends, given, has_given, opened, discs, scale,
+                square_correct, tip, edge, redescend, block,
+            )  # fmt: skip
+            squares += sums[0]
+            total_weight += sums[1]
+            psi_squares += sums[2]
+            slopes += sums[3]
+            singles += sums[4]
+        columns = members
+        for i in range(members):
+            j = first + i
+            parts[j] = 0
+            sds[j] = 1.0
+            known = given[j] if has_given else -1
+            left_out = has_given and known < 0
+            x, y, z = block[_X, i], block[_Y, i], block[_Z, i]
+            if block[_CLEAR, i] > 0.0 or left_out:
+                legs[j] = -1 if left_out else int(block[_LEG, i])
+                residuals[j] = math.nan if left_out else block[_RESIDUAL, i]
+                biases[j] = 0.0 if left_out else block[_BIAS, i]
+                weights[j] = block[_WEIGHT, i]
                 if final:
-                    for m in range(8):
-                        rows[i, m] = row[m]
-                    if k >= 4:
-                        rows[i, k + 4] = row[k + 4]
-            squares += share * narrow * u * u
-            total_weight += share * narrow
-            for a in range(8):
-                rhs[a] -= w * u * row[a]
-            _add_outer(normal, row, w, k)
-            if not final:
+                    e = block[_RESIDUAL, i] * scale
+                    feet[j, 0], feet[j, 1], feet[j, 2] = x + block[0, i] * e, y + block[1, i] * e, z + block[2, i] * e
+                    kept = block[_SINGLE, i]
+                    for a in range(8):
+                        rows[j, a] = kept * block[a, i]
+                    for a in range(8, 12):
+                        rows[j, a] = 0.0
                 continue
-            if gate < 1.0:
-                single = False
-            if single:
-                singles += 1.0
-                psi_squares += robust * robust * u * u
-                slopes += slope
-                _add_outer(plain, row, 1.0, k)
-            else:
-                for a in range(8):
-                    mean_score[a] += w * u * row[a]
+            legs[j] = -1
+            weights[j] = 0.0
+            residuals[j] = math.nan
+            biases[j] = 0.0
+            if final:
+                for a in range(12):
+                    rows[j, a] = 0.0
+            if has_cov:
+                for a in range(3):
+                    for b in range(3):
+                        total = 0.0
+                        for p in range(3):
+                            for q in range(3):
+                                total += rotation[p, a] * cov[j, p, q] * rotation[q, b]
+                        body_cov[a, b] = total
+                reach = scale * math.sqrt(body_cov[0, 0] + body_cov[1, 1] + body_cov[2, 2])
+            count, likeliest = _candidates(
+                x, y, z, known, axes, creases, r, c, cosine, ends, body_cov, has_cov, opened, discs, scale, reach, edge, lean, found, which,
+                density,
+            )  # fmt: skip
+            if count == 0:
+                continue
+            best = which[likeliest]
+            legs[j] = best % 4
+            parts[j] = best // 4
+            residuals[j] = found[best, 3]
+            sds[j] = found[best, 4]
+            biases[j] = found[best, 6] * square_correct
+            total = 1.0
+            for m in range(count):
+                if m != likeliest and density[m] > density[likeliest] - 30.0:
+                    total += math.exp(density[m] - density[likeliest])
+            alone = total < 1.001
+            if final:
+                feet[j, 0], feet[j, 1], feet[j, 2] = found[best, 8], found[best, 9], found[best, 10]
+                mean_score[:] = 0.0
+            for candidate in range(count):
+                if density[candidate] < density[likeliest] - 7.0:
+                    continue
+                k = which[candidate]
+                share = 1.0 / total if k == best else math.exp(density[candidate] - density[likeliest]) / total
+                leg = k % 4
+                # edges are judged at the foot of the perpendicular, which says nothing about the residual
+                gate = 1.0
+                if edge > 0.0 and (k >= 4 or known < 0):
+                    gate = _ramp(found[k, 7] / edge)
+                if k < 4:
+                    if discs[leg] and edge > 0.0:
+                        gate *= _ramp((ends[leg] - found[k, 5]) / edge)
+                    elif not discs[leg] and found[k, 5] > tip:
+                        gate = 0.0
+                if gate == 0.0:
+                    continue
+                share *= gate
+                per_noise = 1.0 / (scale * found[k, 4])
+                u = (found[k, 3] - found[k, 6] * square_correct) * per_noise
+                robust = 1.0
+                slope = 1.0
+                narrow = 1.0
+                if redescend:
+                    robust, slope = _robust_weight(u)
+                    if robust == 0.0:
+                        continue
+                    narrow = _robust_weight(u / SCALE_NARROWING)[0]
+                w = share * robust
+                nx, ny, nz = found[k, 0] * per_noise, found[k, 1] * per_noise, found[k, 2] * per_noise
+                row[0], row[1], row[2] = -nx, -ny, -nz
+                row[3], row[4], row[5] = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
+                row[6] = -cosine * per_noise if k < 4 else 0.0
+                row[7] = found[k, 5] * cosine * per_noise if k < 4 else 0.0
                 if k >= 4:
-                    mean_score[k + 4] += w * u * row[k + 4]
-                _add_outer(shared, row, share * slope - w * robust * u * u, k)
-        if final and not single:
-            for a in range(12):
-                for b in range(a + 1):
-                    product = mean_score[a] * mean_score[b]
-                    shared[a, b] += product
-                    shared_scores[a, b] += product
+                    row[k + 4] = -per_noise
+                    rhs[k + 4] += w * u * per_noise
+                    _add_disc(normal, row, w, k)
+                if k == best:
+                    weights[j] = w
+                    if final:
+                        for m in range(8):
+                            rows[j, m] = row[m]
+                        if k >= 4:
+                            rows[j, k + 4] = row[k + 4]
+                squares += share * narrow * u * u
+                total_weight += share * narrow
+                if gate < 1.0:
+                    alone = False
+                for m in range(8):
+                    block[m, columns] = row[m]
+                block[_WEIGHT, columns] = w
+                block[_SCORE, columns] = w * u
+                block[_SINGLE, columns] = 1.0 if alone else 0.0
+                columns += 1
+                if not final:
+                    continue
+                if alone:
+                    singles += 1.0
+                    psi_squares += robust * robust * u * u
+                    slopes += slope
+                    _add_disc(plain, row, 1.0, k)
+                else:
+                    for a in range(8):
+                        mean_score[a] += w * u * row[a]
+                    if k >= 4:
+                        mean_score[k + 4] += w * u * row[k + 4]
+                    _add_outer(shared, row, share * slope - w * robust * u * u, k)
+            if final and not alone:
+                for a in range(12):
+                    for b in range(a + 1):
+                        product = mean_score[a] * mean_score[b]
+                        shared[a, b] += product
+                        shared_scores[a, b] += product
+        _add_products(block, columns, _WEIGHT, scaled, normal)
+        for a in range(8):
+            total = 0.0
+            for i in range(columns):
+                total += block[_SCORE, i] * block[a, i]
+            rhs[a] -= total
+        if final:
+            _add_products(block, columns, _SINGLE, scaled, plain)
     for a in range(12):
         for b in range(a):
             normal[b, a] = normal[a, b]
@@ -998,7 +1188,9 @@ class _Solver:
         self.leg_errors = np.zeros(4)
         self.axes = np.ascontiguousarray(unit.leg_directions)
         between = self.axes[:, None] - self.axes[None]
-        self.creases = between / np.maximum(np.linalg.norm(between, axis=2, keepdims=True), 1e-300)
+        lengths = np.linalg.norm(between, axis=2, keepdims=True)
+        self.creases = between / np.maximum(lengths, 1e-300)
+        self.spread = float(lengths.max())
         self.normal, self.plain, self.shared, self.shared_scores = (np.zeros((12, 12)) for _ in range(4))
         self.rhs, self.change = np.zeros(12), np.zeros(12)
         self.opened = np.ones(4, dtype=np.bool_)
@@ -1016,6 +1208,7 @@ class _Solver:
     def take(self, xyz: FloatArray, cov: FloatArray, given: IntArray) -> None:
         n = len(xyz)
         self.xyz, self.cov, self.given = xyz, cov, given
+        self.columns = np.ascontiguousarray(xyz.T)
         self.legs, self.parts = np.zeros(n, dtype=np.int64), np.zeros(n, dtype=np.int64)
         self.residuals, self.sds, self.biases, self.weights = np.zeros(n), np.ones(n), np.zeros(n), np.zeros(n)
         self.rows, self.feet = np.zeros((n, 12)), np.zeros((n, 3))
@@ -1132,8 +1325,8 @@ class _Solver:
         correct = (self.options.sigma or scale) if self.options.bias_correction else 0.0
         edge, tip = self.trimming(scale)
         squares, weight_sum, self.psi_squares, self.slopes, self.singles = linearise_points(
-            self.xyz, self.centre, self.rotation, self.axes, self.creases, self.shape, self.unit.leg_length + self.leg_errors,
-            self.cov if len(self.cov) else None, self.given, self.opened, self.discs, scale, correct, tip, edge, redescend, final,
+            self.columns, self.centre, self.rotation, self.axes, self.creases, self.spread, self.shape,
+            self.unit.leg_length + self.leg_errors, self.cov if len(self.cov) else None, self.given, self.opened, self.discs, scale, correct, tip, edge, redescend, final,
             self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
             self.biases, self.weights, self.rows, self.feet,
         )  # fmt: skip
