@@ -60,15 +60,14 @@ CORRELATION_SAMPLE = 2500
 PAIR_SAMPLES = (500, 2000)
 """Points whose near pairs make the covariance, first to see whether correlation matters, then, if it does, for good: with 500 the sum
 over pairs is itself so uncertain that 95 % regions hold 92 %."""
+EXPECTED_SAMPLE = 64
+"""Points whose pairs show what the fit makes of white noise."""
 IMPOSSIBLE = 6.36
 """Standard deviations beyond its edge from which a point cannot lie on a surface (1e-10)."""
 _CELLS = 12
 """Cells along each axis into which points are sorted to find near ones."""
-_LAG_STEP = 0.005
-_LAGS = _LAG_STEP * np.array([0, 2, 4, 6, 9, 13, 18, 24])
+_LAGS = 0.005 * np.array([0, 2, 4, 6, 9, 13, 18, 24])
 """Edges of the distance classes for that, as shares of the height."""
-_LAG_CLASSES = np.searchsorted(np.round(_LAGS / _LAG_STEP) ** 2, np.arange(24**2 + 1), side="right").clip(max=len(_LAGS) - 1) - 1
-"""Class by squared distance in steps."""
 _CORRELATION_LENGTHS = np.tile(np.geomspace(0.01, 0.12, 10), 2)
 _CORRELATION_EXPONENTS = np.repeat([1.0, 2.0], 10)
 _USUAL_CORRELATION = 15
@@ -1054,32 +1053,97 @@ def _near(points, i, low, high, reach, near, squares):  # type: ignore[no-untype
 
 
 @njit(**COMPILED)
-def _lag_products(points, values, whitened, chosen, height, sums, expected, counts):  # type: ignore[no-untyped-def]
-    """Products of residuals over all pairs of points by class of distance, and what the fit makes of white noise there."""
-    reach = _LAGS[-1] * height
-    order, starts = _in_cells(points, chosen, reach)
-    points, values, whitened = points[order], values[order], whitened[order]
-    near, squares = np.empty(len(points) + 1, dtype=np.int64), np.empty(len(points) + 1)
-    per_square = 1.0 / (_LAG_STEP * height) ** 2
-    for first, last, low, high in _near_ranges(starts):
-        for i in range(first, last):
-            count = _near(points, i, low, high, reach * reach, near, squares)
-            for h in range(count):
-                k = _LAG_CLASSES[int(squares[h] * per_square)]
-                counts[k] += 1.0
-                sums[k] += values[i] * values[near[h]]
-            # smooth in the distance: an eighth of the pairs is enough
-            for h in range(i % 8, count, 8):
-                k = _LAG_CLASSES[int(squares[h] * per_square)]
-                hat = 0.0
-                for m in range(whitened.shape[1]):
-                    hat += whitened[i, m] * whitened[near[h], m]
-                expected[k] -= 8.0 * hat
+def _add_below(squares, products, count, edges, sums, counts):  # type: ignore[no-untyped-def]
+    """Add, for each of seven edges, the products whose squared distance lies below it to ``sums``, and how many they are to ``counts``.
+
+    Comparing with every edge runs in vector registers, looking up the class of each pair does not.
+    """
+    e0, e1, e2, e3, e4, e5, e6 = edges[0], edges[1], edges[2], edges[3], edges[4], edges[5], edges[6]
+    s0 = s1 = s2 = s3 = s4 = s5 = s6 = 0.0
+    for h in range(count):
+        square, product = squares[h], products[h]
+        s0 += product if square < e0 else 0.0
+        s1 += product if square < e1 else 0.0
+        s2 += product if square < e2 else 0.0
+        s3 += product if square < e3 else 0.0
+        s4 += product if square < e4 else 0.0
+        s5 += product if square < e5 else 0.0
+        s6 += product if square < e6 else 0.0
+    c0 = c1 = c2 = c3 = c4 = c5 = c6 = 0.0
+    for h in range(count):
+        square = squares[h]
+        c0 += 1.0 if square < e0 else 0.0
+        c1 += 1.0 if square < e1 else 0.0
+        c2 += 1.0 if square < e2 else 0.0
+        c3 += 1.0 if square < e3 else 0.0
+        c4 += 1.0 if square < e4 else 0.0
+        c5 += 1.0 if square < e5 else 0.0
+        c6 += 1.0 if square < e6 else 0.0
+    for k, (total, number) in enumerate(((s0, c0), (s1, c1), (s2, c2), (s3, c3), (s4, c4), (s5, c5), (s6, c6))):
+        sums[k] += total
+        counts[k] += number
 
 
 @njit(**COMPILED)
-def _pair_products(points, rows, chosen, length, exponent, reach, out):  # type: ignore[no-untyped-def]
-    """Sum over pairs i != j of exp(-(distance / length)^exponent) times the outer product of their rows, into ``out``."""
+def _lag_products(points, values, whitened, chosen, height, sums, expected, counts):  # type: ignore[no-untyped-def]
+    """Products of residuals over all pairs of points by class of distance, and what the fit makes of white noise there."""
+    reach = _LAGS[-1] * height
+    edges = (_LAGS[1:] * height) ** 2
+    order, starts = _in_cells(points, chosen, reach)
+    n = len(order)
+    x, y, z, value = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
+    for i in range(n):
+        x[i], y[i], z[i], value[i] = points[order[i], 0], points[order[i], 1], points[order[i], 2], values[order[i]]
+    # a cell's points and those after them in the cells around it
+    around_x, around_y, around_z, around_value = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
+    number = np.empty(n, dtype=np.int64)
+    squares, products, hats = np.empty(4 * n), np.empty(4 * n), np.empty(n)
+    # what the fit makes of white noise is smooth in the distance: the pairs of some points are enough
+    stride = max(1, n // EXPECTED_SAMPLE)
+    unused = np.zeros(len(edges))
+    ranges = _near_ranges(starts)
+    taken = filled = 0
+    while taken < len(ranges):
+        first, last = ranges[taken, 0], ranges[taken, 1]
+        m = 0
+        while taken < len(ranges) and ranges[taken, 0] == first:
+            low, high = ranges[taken, 2], ranges[taken, 3]
+            for j in range(low, high):
+                h = m + j - low
+                around_x[h], around_y[h], around_z[h], around_value[h], number[h] = x[j], y[j], z[j], value[j], order[j]
+            m += high - low
+            taken += 1
+        for i in range(first, last):
+            start = i - first + 1
+            count = m - start
+            if filled + count > len(squares):
+                _add_below(squares, products, filled, edges, sums, counts)
+                filled = 0
+            xi, yi, zi, vi = x[i], y[i], z[i], value[i]
+            xs, ys, zs, vs = around_x[start:m], around_y[start:m], around_z[start:m], around_value[start:m]
+            own_squares, own_products = squares[filled : filled + count], products[filled : filled + count]
+            for h in range(count):
+                dx, dy, dz = xi - xs[h], yi - ys[h], zi - zs[h]
+                own_squares[h] = dx * dx + dy * dy + dz * dz
+                own_products[h] = vi * vs[h]
+            filled += count
+            if i % stride == 0:
+                for h in range(count):
+                    hat = 0.0
+                    for k in range(whitened.shape[1]):
+                        hat += whitened[order[i], k] * whitened[number[start + h], k]
+                    hats[h] = -stride * hat
+                _add_below(own_squares, hats, count, edges, expected, unused)
+    _add_below(squares, products, filled, edges, sums, counts)
+    for k in range(len(edges) - 1, 0, -1):
+        sums[k] -= sums[k - 1]
+        expected[k] -= expected[k - 1]
+        counts[k] -= counts[k - 1]
+
+
+@njit(**COMPILED)
+def _pair_products(points, rows, chosen, length, exponent, reach):  # type: ignore[no-untyped-def]
+    """(12, 12) sum over pairs i != j of exp(-(distance / length)^exponent) times the outer product of their rows."""
     order, starts = _in_cells(points, chosen, reach)
     points, rows = points[order], rows[order]
     near, squares = np.empty(len(points) + 1, dtype=np.int64), np.empty(len(points) + 1)
@@ -1091,10 +1155,8 @@ def _pair_products(points, rows, chosen, length, exponent, reach, out):  # type:
                 correlation = math.exp(-t if exponent == 2.0 else -math.sqrt(t))
                 for a in range(12):
                     mixed[i, a] += correlation * rows[near[h], a]
-    for i in range(rows.shape[0]):
-        for a in range(12):
-            for b in range(12):
-                out[a, b] += rows[i, a] * mixed[i, b] + mixed[i, a] * rows[i, b]
+    once = rows.T @ mixed
+    return once + once.T
 
 
 def adjust(
@@ -1506,8 +1568,7 @@ class _Solver:
                 return nothing
             length, exponent = float(_CORRELATION_LENGTHS[best]) * self.unit.height, float(_CORRELATION_EXPONENTS[best])
             few = chosen[:: math.ceil(len(chosen) / most)]
-            pairs = np.zeros((12, 12))
-            _pair_products(self.feet, self.rows, few, length, exponent, length * (4.0 if exponent == 1 else 2.2), pairs)
+            pairs = _pair_products(self.feet, self.rows, few, length, exponent, length * (4.0 if exponent == 1 else 2.2))
             correlated = strength * (len(used) / len(few)) ** 2 * pairs
             inflation = 1 + max(float(np.trace(white @ correlated)), 0.0) / max(float(np.trace(white @ self.plain)), 1.0)
             if inflation < 1.2:
