@@ -20,6 +20,7 @@ from __future__ import annotations
 import math
 from copy import copy
 from dataclasses import dataclass
+from functools import lru_cache
 from statistics import NormalDist
 from typing import Literal
 
@@ -31,7 +32,7 @@ from .errors import InputError
 from .kernels import COMPILED
 from .pose import Pose
 from .tetrapod import END_DISC, LATERAL
-from .unit_types import UnitType
+from .unit_types import Opening, UnitType
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -514,6 +515,8 @@ def _clear_points(  # type: ignore[no-untyped-def]
             clear = clear if foot_lead >= beside else 0.0
         clear_of_disc = (1.0 if end - max(lean, axial) >= within else 0.0) * (1.0 if abs(e) <= at else 0.0)
         clear *= max(1.0 - disc, clear_of_disc)
+        # the limit of a leg without an end disc is a ramp too
+        clear = clear if abs(axial - tip) >= 0.25 * edge else clear * disc
         gate = disc if axial > tip else 1.0
         if has_given:
             # points that are left out are dealt with too
@@ -685,8 +688,8 @@ def linearise_points(  # type: ignore[no-untyped-def]
                 if k < 4:
                     if discs[leg] and edge > 0.0:
                         gate *= _ramp((ends[leg] - found[k, 5]) / edge)
-                    elif not discs[leg] and found[k, 5] > tip:
-                        gate = 0.0
+                    elif not discs[leg]:
+                        gate *= _ramp(1.0 + (tip - found[k, 5]) / edge) if edge > 0.0 else 1.0 * (found[k, 5] <= tip)
                 if gate == 0.0:
                     continue
                 share *= gate
@@ -914,11 +917,13 @@ def _guarded(correlated, noise_part, free, scaling):  # type: ignore[no-untyped-
 
 
 @njit(**COMPILED)
-def _inverse_root(matrix, free, scaling):  # type: ignore[no-untyped-def]
-    """(12, m) root whose square is the inverse of a (12, 12) matrix in the free unknowns, over the m directions that are determined; and
-    the (k, 12) unit directions, scaled, that are not."""
+def _inverse_root(matrix, prior_weights, free, scaling):  # type: ignore[no-untyped-def]
+    """(12, m) root whose square is the inverse of a (12, 12) matrix, prior weights added, in the free unknowns, over the m directions that
+    are determined; and the (k, 12) unit directions, scaled, that are not."""
     chosen = np.flatnonzero(free)
     n = len(chosen)
+    for a in range(12):
+        matrix[a, a] += prior_weights[a]
     values, vectors = np.linalg.eigh(_scaled(matrix, chosen, scaling))
     # in ascending order
     k = np.searchsorted(values, 1.0 / DETERMINED**2, side="right")
@@ -929,6 +934,20 @@ def _inverse_root(matrix, free, scaling):  # type: ignore[no-untyped-def]
         for b in range(k):
             undetermined[b, chosen[a]] = vectors[a, b]
     return root, undetermined
+
+
+@njit(**COMPILED)
+def _sandwich(white, scores, correlated):  # type: ignore[no-untyped-def]
+    """(8, 8) covariance of the parameters from the inverse of the scores' derivative and the outer product of the scores, and the mean
+    factor by which the correlated part makes variances larger."""
+    before = (white @ scores @ white)[:8, :8]
+    covariance = before + (white @ correlated @ white)[:8, :8]
+    ratio, seen = 0.0, 0
+    for a in range(8):
+        if before[a, a] > 0.0:
+            ratio += max(covariance[a, a], 0.0) / before[a, a]
+            seen += 1
+    return covariance, ratio / seen if seen else 1.0
 
 
 @njit(**COMPILED)
@@ -943,10 +962,10 @@ def _sizes(residuals, biases, sds):  # type: ignore[no-untyped-def]
 
 @njit(**COMPILED)
 def _redundancy(whitened, weights, legs, parts, sds, scale, numbers, detectable):  # type: ignore[no-untyped-def]
-    """Redundancy number and minimal detectable bias of every used point; returns the sum of their influences, the number of used lateral
-    points by leg and the sum of squared standard deviations."""
+    """Redundancy number and minimal detectable bias of every used point; returns the sums of their influences and weights, the number of
+    used lateral points by leg and the sum of squared standard deviations."""
     owned = np.zeros(4, dtype=np.int64)
-    influences = squares = 0.0
+    influences = all_weight = squares = 0.0
     for i in range(weights.shape[0]):
         if weights[i] <= 0.0:
             continue
@@ -955,11 +974,12 @@ def _redundancy(whitened, weights, legs, parts, sds, scale, numbers, detectable)
             influence += whitened[i, m] * whitened[i, m]
         influence *= weights[i]
         influences += influence
+        all_weight += weights[i]
         squares += sds[i] * sds[i]
         owned[legs[i]] += parts[i] == LATERAL
         numbers[i] = min(max(1.0 - influence, 0.0), 1.0)
         detectable[i] = NONCENTRALITY * scale * sds[i] / math.sqrt(numbers[i])
-    return influences, owned, squares
+    return influences, all_weight, owned, squares
 
 
 @njit(**COMPILED)
@@ -1238,6 +1258,22 @@ def beam_covariances(points: ArrayLike, sensors: ArrayLike, range_sd: float, ang
     return np.asarray(range_sd**2 * along + ((angle_sd * ranges) ** 2)[:, None, None] * (np.eye(3) - along))
 
 
+@lru_cache
+def _planes_between_legs(opening: Opening) -> tuple[FloatArray, FloatArray, float]:
+    """(4, 3) directions of the legs, (4, 4, 3) normals of the planes between every two, and the largest distance between two directions'
+    ends."""
+    axes = np.ascontiguousarray(UnitType.tetrapod(1.0, opening=opening).leg_directions)
+    between = axes[:, None] - axes[None]
+    lengths = np.linalg.norm(between, axis=2, keepdims=True)
+    return axes, between / np.maximum(lengths, 1e-300), float(lengths.max())
+
+
+@lru_cache
+def _size_at(share: float) -> float:
+    """Size below which a share of standard normal variables lies."""
+    return NormalDist().inv_cdf(0.5 * (1 + share))
+
+
 class _Solver:
     """State of one adjustment; a class because its steps share a dozen work arrays."""
 
@@ -1248,11 +1284,7 @@ class _Solver:
         self.nominal = np.array([unit.radius, unit.gradient])
         self.shape = self.nominal.copy()
         self.leg_errors = np.zeros(4)
-        self.axes = np.ascontiguousarray(unit.leg_directions)
-        between = self.axes[:, None] - self.axes[None]
-        lengths = np.linalg.norm(between, axis=2, keepdims=True)
-        self.creases = between / np.maximum(lengths, 1e-300)
-        self.spread = float(lengths.max())
+        self.axes, self.creases, self.spread = _planes_between_legs(unit.opening)
         self.normal, self.plain, self.shared, self.shared_scores = (np.zeros((12, 12)) for _ in range(4))
         self.rhs, self.change = np.zeros(12), np.zeros(12)
         self.opened = np.ones(4, dtype=np.bool_)
@@ -1290,24 +1322,28 @@ class _Solver:
         gain = math.inf
         while iteration < options.max_iterations:
             iteration += 1
-            # near the end every linearisation may be the last
-            final = gain < 0.3
+            # once the way is short, every linearisation may be the last
+            final = gain < 100.0
             sums = self.linearise(scale, redescend=options.robust, final=final)
             if self.weights.sum() < MIN_POINTS:
                 raise InputError(
                     "too few points lie near the unit's surface to adjust it", remedy="check the approximate pose and the unit's height"
                 )
-            gain = self.step()
-            previous, scale = scale, self.refined_scale(scale, *sums)
+            before, gain = gain, self.step()
+            # the step takes its gain away from the sum of squares
+            previous, scale = scale, self.refined_scale(scale, max(sums[0] - gain, 0.5 * sums[0]), sums[1])
             settled = abs(scale - previous) < 2e-3 * previous
             if options.robust and options.sigma is None:
                 scale += _SCALE_CONTRACTION / (1 - _SCALE_CONTRACTION) * (scale - previous)
-            if gain < 2.5e-3 and settled:
-                if not discs_sought:
-                    discs_sought = True
-                    if self.find_discs(scale):
-                        continue
+            if not discs_sought and gain < 0.25:
+                discs_sought = True
+                if self.find_discs(scale):
+                    gain = math.inf
+                    continue
+            # steps shorten at a rate, so that the next one is known
+            if gain < 0.25 and gain * min(gain / before, 1.0) < 2.5e-3 and settled:
                 if self.close_legs(scale):
+                    gain = math.inf
                     continue
                 converged = True
                 break
@@ -1333,9 +1369,12 @@ class _Solver:
             misfit = self.quantile_scale(0.6) + scale
             if misfit < best[0]:
                 best = misfit, scale, self.state()
-            if self.looks_like_noise(scale):
+            noise_alone = self.looks_like_noise(scale)
+            if noise_alone:
                 break
         self.restore(best[2])
+        if noise_alone:
+            return best[1]
         # from below: bad points just outside the window must not find it open
         return max(0.85 * best[1], self.options.sigma or self.floor)
 
@@ -1406,7 +1445,9 @@ class _Solver:
         return self.edge * fade, min(self.unit.leg_length, self.tip / max(fade, 1e-9))
 
     def free(self) -> NDArray[np.bool_]:
-        return np.concatenate([self.prior_sd[:8] > 0, self.discs])
+        free = self.prior_sd > 0
+        free[8:] = self.discs
+        return free
 
     def step(self, *, hold_shape: bool = False) -> float:
         """Make one Gauss-Newton step; returns its squared length in standard deviations."""
@@ -1418,9 +1459,6 @@ class _Solver:
             self.centre, self.rotation, self.shape, self.leg_errors, self.change,
         )  # fmt: skip
         return gain
-
-    def standardised(self) -> FloatArray:
-        return np.asarray((self.residuals - self.biases) / self.sds)
 
     def looks_like_noise(self, scale: float) -> bool:
         """Whether nearly all residuals are small beside the unit, and none far beyond their scale."""
@@ -1434,7 +1472,7 @@ class _Solver:
         """Scale of the residuals of all points, from the quantile of their sizes at ``share``."""
         u = _sizes(self.residuals, self.biases, self.sds)
         u.partition(int(share * len(u)))
-        scale = float(u[int(share * len(u))]) / NormalDist().inv_cdf(0.5 * (1 + share))
+        scale = float(u[int(share * len(u))]) / _size_at(share)
         # a known noise still needs a wide start while the pose is rough
         return min(max(scale, self.options.sigma or self.floor), 1e6 * self.unit.height)
 
@@ -1451,11 +1489,12 @@ class _Solver:
         body = (self.xyz - self.centre) @ self.rotation
         length, tolerance = self.unit.leg_length, self.prior_sd[8]
         noise = scale * float(np.mean(self.sds[np.isfinite(self.residuals)]))
-        rim = self.shape[0] - self.shape[1] * length - self.edge
+        rim = max(self.shape[0] - self.shape[1] * length - self.edge, 0.0)
+        axial = body @ self.axes.T
+        beside = np.einsum("ij,ij->i", body, body)[:, None] - axial**2 < rim**2
         for k in range(4):
-            beyond = body @ self.axes[k] - length
-            across = np.linalg.norm(body - (beyond + length)[:, None] * self.axes[k], axis=1)
-            near = (across < rim) & (np.abs(beyond) < (1 - TIP_RATIO) * length + 3 * noise)
+            beyond = axial[:, k] - length
+            near = beside[:, k] & (np.abs(beyond) < (1 - TIP_RATIO) * length + 3 * noise)
             if len(self.given):
                 near &= self.given == k
             if near.sum() < 2 * MIN_POINTS:
@@ -1483,23 +1522,23 @@ class _Solver:
     def result(self, scale: float, sums: tuple[float, float], converged: bool, iterations: int) -> Adjustment:
         squares, weight_sum = sums
         free = self.free()
-        prior = np.diag(self.prior_weights)
         slope = self.slopes / max(self.singles, 1.0)
-        root, undetermined = _inverse_root(slope * self.plain + self.shared - self.row_excess() + prior, free, self.scaling)
+        root, undetermined = _inverse_root(
+            slope * self.plain + self.shared - self.row_excess(), self.prior_weights, free, self.scaling
+        )
         white = root @ root.T
         used = self.weights > 0
         count = float(np.count_nonzero(used))
         small_sample = max(count, 1.0) / max(count - np.count_nonzero(free[:8]), 1.0)
         psi = small_sample * self.psi_squares / max(self.singles, 1.0)
         noise_part = psi * self.plain + small_sample * self.shared_scores
+        prior = np.diag(self.prior_weights)
         whitened = self.rows @ root
         correlated = _guarded(self.correlated_part(white, whitened, psi), noise_part, free, self.scaling)
-        uncorrelated = white @ (noise_part + prior) @ white
-        covariance = (uncorrelated + white @ correlated @ white)[:8, :8]
-        before, after = np.maximum(np.diag(uncorrelated)[:8], 0), np.maximum(np.diag(covariance), 0)
-        seen = before > 0
-        inflation = float(np.mean(after[seen] / before[seen])) if seen.any() else 1.0
-        undetermined = undetermined[np.linalg.norm(undetermined[:, :8], axis=1) > 0.1, :8]
+        covariance, inflation = _sandwich(white, noise_part + prior, correlated)
+        if len(undetermined):
+            undetermined = undetermined[np.linalg.norm(undetermined[:, :8], axis=1) > 0.1]
+        undetermined = undetermined[:, :8]
         lost = undetermined * self.scaling[:8]
         covariance += LOST**2 * lost.T @ lost
         # from the axes of the body to those of the points
@@ -1507,18 +1546,18 @@ class _Solver:
         axes[:3, :3] = axes[3:6, 3:6] = self.rotation
         covariance, undetermined = axes @ covariance @ axes.T, undetermined @ axes.T
         redundancy_numbers, detectable = np.zeros(len(self.xyz)), np.full(len(self.xyz), math.inf)
-        influence, owned, squared_sds = _redundancy(
+        influence, all_weight, owned, squared_sds = _redundancy(
             whitened, self.weights, self.legs, self.parts, self.sds, scale, redundancy_numbers, detectable
         )
         noise = scale if self.options.sigma is None else scale * math.sqrt(squares / max(weight_sum, 1e-300) / self.consistency())
-        visible = int(np.sum(owned >= max(MIN_POINTS, 0.01 * count)))
+        visible = sum(number >= max(MIN_POINTS, 0.01 * count) for number in owned.tolist())
         mean_sd = math.sqrt(squared_sds / count) if count else math.nan
         a_priori = self.options.sigma or (1.0 if len(self.cov) else noise)
         return Adjustment(
             Pose(self.centre, self.rotation), float(self.shape[0]), float(self.shape[1]), covariance, noise / a_priori, noise * mean_sd,
-            float(self.weights.sum() - influence), redundancy_numbers, detectable, self.weights.copy(), np.where(used, self.legs, -1),
-            self.parts.copy(), self.residuals.copy(), float(self.weights.sum() / inflation), converged, iterations, undetermined, visible,
-            _flags(visible, len(undetermined), bool(used.any() and (self.parts[used] == END_DISC).all())),
+            all_weight - influence, redundancy_numbers, detectable, self.weights.copy(), np.where(used, self.legs, -1),
+            self.parts.copy(), self.residuals.copy(), all_weight / inflation, converged, iterations, undetermined, visible,
+            _flags(visible, len(undetermined), count > 0 and not owned.any()),
         )  # fmt: skip
 
     def row_excess(self) -> FloatArray:
@@ -1545,8 +1584,8 @@ class _Solver:
             return nothing
         chosen = used[:: math.ceil(len(used) / CORRELATION_SAMPLE)]
         thinning = len(used) / len(chosen)
-        u = self.standardised() * self.weights
-        u /= math.sqrt(float(np.mean(u[chosen] ** 2)))
+        u = (self.residuals - self.biases) / self.sds * self.weights
+        u /= math.sqrt(float(np.mean(np.square(u[chosen]))))
         sums, expected, counts = (np.zeros(len(_LAGS) - 1) for _ in range(3))
         # distances between adjusted observations: those between noisy points depend on the residuals
         _lag_products(self.feet, u, whitened, chosen, self.unit.height, sums, expected, counts)
