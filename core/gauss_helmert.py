@@ -203,8 +203,8 @@ _INLINED = COMPILED | {"inline": "always"}
 """Of the innermost functions: passing a dozen arrays costs as much as the work itself (measured: a third of a linearisation)."""
 _BLOCK = 128
 """Points that are linearised together; what is known of them then stays in the nearest cache."""
-_WEIGHT, _SCORE, _SINGLE, _X, _Y, _Z, _LEG, _CLEAR, _RESIDUAL, _BIAS = range(8, 18)
-_BLOCK_ROWS = 18
+_WEIGHT, _SCORE, _SINGLE, _X, _Y, _Z, _LEG, _CLEAR, _RESIDUAL, _BIAS, _TIP = range(8, 19)
+_BLOCK_ROWS = 19
 """Rows of the work array of a block after the eight derivatives; a column is a point, or a further part that may own it."""
 
 
@@ -467,6 +467,7 @@ def _clear_points(  # type: ignore[no-untyped-def]
     disc0, disc1, disc2, disc3 = 1.0 * discs[0], 1.0 * discs[1], 1.0 * discs[2], 1.0 * discs[3]
     open0, open1, open2, open3 = 1.0 * opened[0], 1.0 * opened[1], 1.0 * opened[2], 1.0 * opened[3]
     at, beside, within = 8.0 * scale, 1.25 * edge * spread, max(8.0 * scale, 1.25 * edge)
+    beyond = NO_WEIGHT * scale
     per_noise = 1.0 / scale
     windowed = 1.0 if redescend else 0.0
     squares = total_weight = psi_squares = slopes = singles = 0.0
@@ -518,6 +519,9 @@ def _clear_points(  # type: ignore[no-untyped-def]
         # the limit of a leg without an end disc is a ramp too
         clear = clear if abs(axial - tip) >= 0.25 * edge else clear * disc
         gate = disc if axial > tip else 1.0
+        in_tip = (1.0 - disc) if axial > tip else 0.0
+        in_tip = in_tip if lean < end + beyond else 0.0
+        block[_TIP, i] = in_tip if e < beyond else 0.0
         if has_given:
             # points that are left out are dealt with too
             clear = clear if k >= 0.0 else 1.0
@@ -555,7 +559,7 @@ def _clear_points(  # type: ignore[no-untyped-def]
 @njit(**COMPILED)
 def linearise_points(  # type: ignore[no-untyped-def]
     points, centre, rotation, axes, creases, spread, shape, ends, cov, given, opened, discs, scale, correct, tip, edge, redescend, final,
-    normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, rows, feet,
+    normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, at_tip, rows, feet,
 ):  # fmt: skip
     """One linearisation: normal equations, right-hand side and the state of every point.
 
@@ -564,6 +568,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
     Of the 12 unknowns, shift and turn are along the axes of the body, and the last four are the errors of the leg lengths. ``normal`` and
     ``rhs`` make the Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``
     (their rows' outer products), the others ``shared`` (derivative of their scores) and ``shared_scores`` (outer products of these).
+    ``at_tip`` tells of points in the unit's tips, which neither a cone nor an end disc in use describes.
     Returns the sum of squared residuals and the sum of weights that make the scale, and of the former points the sums of psi^2, of
     psi', and their number.
     """
@@ -622,6 +627,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
             j = first + i
             parts[j] = 0
             sds[j] = 1.0
+            at_tip[j] = False
             known = given[j] if has_given else -1
             left_out = has_given and known < 0
             x, y, z = block[_X, i], block[_Y, i], block[_Z, i]
@@ -630,6 +636,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
                 residuals[j] = math.nan if left_out else block[_RESIDUAL, i]
                 biases[j] = 0.0 if left_out else block[_BIAS, i]
                 weights[j] = block[_WEIGHT, i]
+                at_tip[j] = block[_TIP, i] > 0.0
                 if final:
                     e = block[_RESIDUAL, i] * scale
                     feet[j, 0], feet[j, 1], feet[j, 2] = x + block[0, i] * e, y + block[1, i] * e, z + block[2, i] * e
@@ -667,6 +674,9 @@ def linearise_points(  # type: ignore[no-untyped-def]
             residuals[j] = found[best, 3]
             sds[j] = found[best, 4]
             biases[j] = found[best, 6] * square_correct
+            if best < 4 and not discs[best] and found[best, 5] > tip:
+                beyond = NO_WEIGHT * scale * found[best, 4]
+                at_tip[j] = lean[best] < ends[best] + beyond and found[best, 3] < beyond
             total = 1.0
             for m in range(count):
                 if m != likeliest and density[m] > density[likeliest] - 30.0:
@@ -922,9 +932,10 @@ def _inverse_root(matrix, prior_weights, free, scaling):  # type: ignore[no-unty
     are determined; and the (k, 12) unit directions, scaled, that are not."""
     chosen = np.flatnonzero(free)
     n = len(chosen)
-    for a in range(12):
-        matrix[a, a] += prior_weights[a]
-    values, vectors = np.linalg.eigh(_scaled(matrix, chosen, scaling))
+    scaled = _scaled(matrix, chosen, scaling)
+    for a in range(n):
+        scaled[a, a] += prior_weights[chosen[a]] * scaling[chosen[a]] ** 2
+    values, vectors = np.linalg.eigh(scaled)
     # in ascending order
     k = np.searchsorted(values, 1.0 / DETERMINED**2, side="right")
     root, undetermined = np.zeros((12, n - k)), np.zeros((k, 12))
@@ -958,6 +969,17 @@ def _sizes(residuals, biases, sds):  # type: ignore[no-untyped-def]
         if math.isnan(sizes[i]):
             sizes[i] = math.inf
     return sizes
+
+
+@njit(**COMPILED)
+def _share_within(residuals, biases, sds, at_tip, limit):  # type: ignore[no-untyped-def]
+    """Share of points whose standardised residual is below a limit, those in tips left out if they are not the most."""
+    within = counted = 0
+    for i in range(len(residuals)):
+        if not at_tip[i]:
+            counted += 1
+            within += abs(residuals[i] - biases[i]) < limit * sds[i]
+    return within / max(counted, len(residuals) // 2, 1)
 
 
 @njit(**COMPILED)
@@ -1305,6 +1327,7 @@ class _Solver:
         self.columns = np.ascontiguousarray(xyz.T)
         self.legs, self.parts = np.zeros(n, dtype=np.int64), np.zeros(n, dtype=np.int64)
         self.residuals, self.sds, self.biases, self.weights = np.zeros(n), np.ones(n), np.zeros(n), np.zeros(n)
+        self.at_tip = np.zeros(n, dtype=np.bool_)
         self.rows, self.feet = np.zeros((n, 12)), np.zeros((n, 3))
 
     def sampled(self, some: slice) -> _Solver:
@@ -1429,7 +1452,7 @@ class _Solver:
             self.columns, self.centre, self.rotation, self.axes, self.creases, self.spread, self.shape,
             self.unit.leg_length + self.leg_errors, self.cov if len(self.cov) else None, self.given, self.opened, self.discs, scale, correct, tip, edge, redescend, final,
             self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
-            self.biases, self.weights, self.rows, self.feet,
+            self.biases, self.weights, self.at_tip, self.rows, self.feet,
         )  # fmt: skip
         return squares, weight_sum
 
@@ -1465,8 +1488,8 @@ class _Solver:
         return scale * float(self.sds.mean()) < 0.01 * self.unit.height and self.share_within(scale) > 0.95
 
     def share_within(self, scale: float) -> float:
-        """Share of all points inside the window of the robust weights."""
-        return float(np.mean(_sizes(self.residuals, self.biases, self.sds) < NO_WEIGHT * scale))
+        """Share of the points inside the window of the robust weights; points in the tips, which fit nothing, do not count."""
+        return _share_within(self.residuals, self.biases, self.sds, self.at_tip, NO_WEIGHT * scale)
 
     def quantile_scale(self, share: float) -> float:
         """Scale of the residuals of all points, from the quantile of their sizes at ``share``."""
