@@ -1280,14 +1280,19 @@ def beam_covariances(points: ArrayLike, sensors: ArrayLike, range_sd: float, ang
     return np.asarray(range_sd**2 * along + ((angle_sd * ranges) ** 2)[:, None, None] * (np.eye(3) - along))
 
 
-@lru_cache
-def _planes_between_legs(opening: Opening) -> tuple[FloatArray, FloatArray, float]:
-    """(4, 3) directions of the legs, (4, 4, 3) normals of the planes between every two, and the largest distance between two directions'
-    ends."""
-    axes = np.ascontiguousarray(UnitType.tetrapod(1.0, opening=opening).leg_directions)
+def planes_between_legs(axes: FloatArray) -> tuple[FloatArray, float]:
+    """(4, 4, 3) unit normals of the planes between every two legs of (4, 3) directions, and the largest distance between two
+    directions' ends."""
     between = axes[:, None] - axes[None]
     lengths = np.linalg.norm(between, axis=2, keepdims=True)
-    return axes, between / np.maximum(lengths, 1e-300), float(lengths.max())
+    return between / np.maximum(lengths, 1e-300), float(lengths.max())
+
+
+@lru_cache
+def _legs_of(opening: Opening) -> tuple[FloatArray, FloatArray, float]:
+    """(4, 3) directions of the legs, and :func:`planes_between_legs`."""
+    axes = np.ascontiguousarray(UnitType.tetrapod(1.0, opening=opening).leg_directions)
+    return axes, *planes_between_legs(axes)
 
 
 @lru_cache
@@ -1306,7 +1311,7 @@ class _Solver:
         self.nominal = np.array([unit.radius, unit.gradient])
         self.shape = self.nominal.copy()
         self.leg_errors = np.zeros(4)
-        self.axes, self.creases, self.spread = _planes_between_legs(unit.opening)
+        self.axes, self.creases, self.spread = _legs_of(unit.opening)
         self.normal, self.plain, self.shared, self.shared_scores = (np.zeros((12, 12)) for _ in range(4))
         self.rhs, self.change = np.zeros(12), np.zeros(12)
         self.opened = np.ones(4, dtype=np.bool_)

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .errors import InputError
-from .gauss_helmert import MIN_POINTS, linearise_points
+from .gauss_helmert import MIN_POINTS, linearise_points, planes_between_legs
 from .pose import Pose
 from .unit_types import UnitType
 
@@ -170,16 +170,15 @@ def _linearise(
     """Normal matrix (8, 8) and right-hand side (8,) of :func:`.gauss_helmert.linearise_points`, and legs, residuals and biases."""
     n = len(xyz)
     axes = literal_axes(*angles)
-    between = axes[:, None] - axes[None]
-    creases = between / np.maximum(np.linalg.norm(between, axis=2, keepdims=True), 1e-300)
+    creases, spread = planes_between_legs(axes)
     matrices = [np.zeros((12, 12)) for _ in range(4)]
     rhs = np.zeros(12)
     legs, parts = np.zeros(n, dtype=np.int64), np.zeros(n, dtype=np.int64)
     residuals, sds, biases, weights = (np.zeros(n) for _ in range(4))
     linearise_points(
-        xyz, centre, np.eye(3), axes, creases, shape, np.full(4, shape[2]), None, given, np.ones(4, dtype=np.bool_),
+        np.ascontiguousarray(xyz.T), centre, np.eye(3), axes, creases, spread, shape, np.full(4, shape[2]), None, given, np.ones(4, dtype=np.bool_),
         np.zeros(4, dtype=np.bool_), scale, correct, math.inf, 0.0, False, False,
-        matrices[0], rhs, matrices[1], matrices[2], matrices[3], legs, parts, residuals, sds, biases, weights, np.zeros((n, 12)),
-        np.zeros((n, 3)),
+        matrices[0], rhs, matrices[1], matrices[2], matrices[3], legs, parts, residuals, sds, biases, weights,
+        np.zeros(n, dtype=np.bool_), np.zeros((n, 12)), np.zeros((n, 3)),
     )  # fmt: skip
     return matrices[0][:8, :8], rhs[:8], legs, residuals, biases
