@@ -96,7 +96,7 @@ class AdjustmentOptions:
     leg_length_sd
         Standard deviation of the distance from the centre to an end disc as built, metres; None for 0.3 % of it.
     tip
-        Share of the leg length up to which the cone holds on legs whose end disc is not used; 1 for no limit.
+        Share of the leg length up to which the cone holds on legs whose end disc is not used; 1 for all of it.
     edge
         Width in metres left out along the creases between the legs (fillet) and along the rims of used end discs (chamfer);
         None for 3 % of the height, less where the noise hides what is rounded there, and the same for ``tip``.
@@ -445,7 +445,7 @@ def _add_products(block, count, weight, scaled, matrix):  # type: ignore[no-unty
 
 @njit(**_INLINED)
 def _clear_points(  # type: ignore[no-untyped-def]
-    points, first, count, centre, rotation, axes, spread, r, c, cosine, ends, given, has_given, opened, discs, scale, square_correct, tip,
+    points, first, count, centre, rotation, axes, spread, r, c, cosine, ends, given, has_given, opened, discs, scale, square_correct, tip, fade,
     edge, redescend, block,
 ):  # fmt: skip
     """Linearise ``count`` points with equal noise that belong to one leg's lateral surface beyond doubt, into the columns of ``block``.
@@ -517,7 +517,7 @@ def _clear_points(  # type: ignore[no-untyped-def]
         clear_of_disc = (1.0 if end - max(lean, axial) >= within else 0.0) * (1.0 if abs(e) <= at else 0.0)
         clear *= max(1.0 - disc, clear_of_disc)
         # the limit of a leg without an end disc is a ramp too
-        clear = clear if abs(axial - tip) >= 0.25 * edge else clear * disc
+        clear = clear if abs(axial - tip) >= 0.5 * fade else clear * disc
         gate = disc if axial > tip else 1.0
         in_tip = (1.0 - disc) if axial > tip else 0.0
         in_tip = in_tip if lean < end + beyond else 0.0
@@ -558,13 +558,14 @@ def _clear_points(  # type: ignore[no-untyped-def]
 
 @njit(**COMPILED)
 def linearise_points(  # type: ignore[no-untyped-def]
-    points, centre, rotation, axes, creases, spread, shape, ends, cov, given, opened, discs, scale, correct, tip, edge, redescend, final,
+    points, centre, rotation, axes, creases, spread, shape, ends, cov, given, opened, discs, scale, correct, tip, fade, edge, redescend, final,
     normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, at_tip, rows, feet,
 ):  # fmt: skip
     """One linearisation: normal equations, right-hand side and the state of every point.
 
     ``points`` is (3, n); ``scale`` standardises residuals and is the noise for memberships, in metres where ``cov`` is None, else a factor
-    on it; ``correct`` is the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for what the covariance needs.
+    on it; ``correct`` is the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for what the covariance needs. The use of a leg's
+    cone fades from one half of ``fade`` before ``tip`` to one half of it behind.
     Of the 12 unknowns, shift and turn are along the axes of the body, and the last four are the errors of the leg lengths. ``normal`` and
     ``rhs`` make the Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``
     (their rows' outer products), the others ``shared`` (derivative of their scores) and ``shared_scores`` (outer products of these).
@@ -615,7 +616,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
                     block[_LEG, i] = given[first + i]
             sums = _clear_points(
                 points, first, members, centre, rotation, axes, spread, r, c, cosine, ends, given, has_given, opened, discs, scale,
-                square_correct, tip, edge, redescend, block,
+                square_correct, tip, fade, edge, redescend, block,
             )  # fmt: skip
             squares += sums[0]
             total_weight += sums[1]
@@ -699,7 +700,7 @@ def linearise_points(  # type: ignore[no-untyped-def]
                     if discs[leg] and edge > 0.0:
                         gate *= _ramp((ends[leg] - found[k, 5]) / edge)
                     elif not discs[leg]:
-                        gate *= _ramp(1.0 + (tip - found[k, 5]) / edge) if edge > 0.0 else 1.0 * (found[k, 5] <= tip)
+                        gate *= min(max(0.5 + (tip - found[k, 5]) / fade, 0.0), 1.0)
                 if gate == 0.0:
                     continue
                 share *= gate
@@ -1452,25 +1453,28 @@ class _Solver:
     def linearise(self, scale: float, *, redescend: bool, final: bool = False) -> tuple[float, float]:
         """Refresh the normal equations; returns the sums of squares and of weights that make the scale."""
         correct = (self.options.sigma or scale) if self.options.bias_correction else 0.0
-        edge, tip = self.trimming(scale)
+        edge, tip, fade = self.trimming(scale)
         squares, weight_sum, self.psi_squares, self.slopes, self.singles = linearise_points(
             self.columns, self.centre, self.rotation, self.axes, self.creases, self.spread, self.shape,
-            self.unit.leg_length + self.leg_errors, self.cov if len(self.cov) else None, self.given, self.opened, self.discs, scale, correct, tip, edge, redescend, final,
+            self.unit.leg_length + self.leg_errors, self.cov if len(self.cov) else None, self.given, self.opened, self.discs, scale, correct, tip, fade, edge, redescend, final,
             self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
             self.biases, self.weights, self.at_tip, self.rows, self.feet,
         )  # fmt: skip
         return squares, weight_sum
 
-    def trimming(self, scale: float) -> tuple[float, float]:
-        """Width left out along creases and rims, and axial coordinate up to which a leg's cone is used, metres.
+    def trimming(self, scale: float) -> tuple[float, float, float]:
+        """Width left out along creases and rims, axial coordinate up to which a leg's cone is used, and over which its use fades, metres.
 
         Fillets, chamfers and rounded tips depart from the cones by a fraction of their width. Noise of that width hides them, and
-        leaving points out then costs more than it saves: the trimming fades from a third of the width on.
+        leaving points out then costs more than it saves: the trimming fades from a third of the width on. No cone is used beyond its
+        leg, where rock that it would run into lies: points there are no further out than the noise carries them.
         """
-        if self.options.edge is not None or not math.isfinite(self.tip):
-            return self.edge, self.tip
-        fade = min(max(1.5 * (1.0 - scale * self.mean_sd / self.edge), 0.0), 1.0)
-        return self.edge * fade, min(self.unit.leg_length, self.tip / max(fade, 1e-9))
+        noise = scale * self.mean_sd
+        if len(self.given) and not math.isfinite(self.tip):
+            return self.edge, math.inf, noise
+        share = 1.0 if self.options.edge is not None else min(max(1.5 * (1.0 - noise / self.edge), 0.0), 1.0)
+        edge = self.edge * share
+        return edge, min(self.unit.leg_length + noise, self.tip / max(share, 1e-9)), max(0.5 * edge, 2.0 * noise)
 
     def free(self) -> NDArray[np.bool_]:
         free = self.prior_sd > 0
