@@ -7,7 +7,6 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from .aggregation import assign, contested
 from .assembly import (
@@ -28,8 +27,9 @@ from .conic_ransac import find_legs
 from .neighbourhood import Grid, build_grid
 from .pose import Pose
 from .surface_elements import SurfaceElements, surface_elements
+from .twist import settle_twists
 from .unit_types import UnitType
-from .verification import MOST_OVERLAP, overlap, select, without_copies, worth
+from .verification import overlap, select
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -51,8 +51,6 @@ WORTH_ANOTHER_PASS = 0.3
 """Score a pass must reach with at least one unit for the remaining points to be searched again."""
 MOST_INTERPENETRATION = 0.01
 """Share of its volume by which the weaker of two units may enter the stronger and still be stated as found."""
-RIVAL_MARGIN = 0.08
-"""Share of its worth by which a pose must beat every different pose about one of its legs to count as unambiguous."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +100,7 @@ class JudgedPoses:
     evidence
         (k, 7) columns as in ``assembly``.
     certainty
-        (k,) 0..1, 0 where a different twist about a leg explains the points as well.
+        (k,) 0..1, how far the turn about a leg is known: see ``twist``.
     tolerance
         Distance within which an element supports a unit, metres.
     typical_misfit
@@ -201,12 +199,10 @@ def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolera
             table[k] = evidence(
                 poses[k : k + 1], elements.points, elements.normals, elements.curved, own, grid, unit, tolerance, elements.noise
             )[0]
-    certainty = np.ones(len(poses))
-    for k in map(int, np.flatnonzero(table[:, LEGS] <= 2)):
-        own = (owner == k) | (owner < 0)
-        rival = _best_rival(poses[k], np.delete(poses, k, axis=0), elements, own, grid, unit, tolerance)
-        certainty[k] = np.clip((1 - rival / max(worth(table[k]), 1e-9)) / RIVAL_MARGIN, 0, 1)
-    return JudgedPoses(elements, poses, table, certainty, tolerance, _typical_misfit(table))
+    typical = _typical_misfit(table)
+    sure = np.array([score(row, tolerance, typical) >= FOUND_SCORE for row in table], dtype=np.bool_)
+    poses, certainty = settle_twists(poses, table, sure, elements, owner, grid, unit, tolerance)
+    return JudgedPoses(elements, poses, table, certainty, tolerance, typical)
 
 
 def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmentation:
@@ -236,44 +232,6 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
     )
     labels, _ = assign(points, poses[kept], unit, max(3.5 * elements.noise, 2 * tolerance), clearance=CLEARANCE_IN_NOISE * elements.noise)
     return Segmentation(units, labels, elements.spacing, elements.noise, tolerance)
-
-
-def _best_rival(
-    pose: FloatArray,
-    others: FloatArray,
-    elements: SurfaceElements,
-    own: NDArray[np.bool_],
-    grid: Grid,
-    unit: UnitType,
-    tolerance: float,
-) -> float:
-    """Worth of the best clearly different pose that shares one leg with this one and does not enter another unit.
-
-    With one leg seen the twist about its axis is undetermined (METHOD 3): then another twist explains the points as well.
-    """
-    rotation = pose[3:].reshape(3, 3)
-    twists = [
-        Rotation.from_rotvec(np.radians(angle) * rotation @ axis).as_matrix() @ rotation
-        for axis in unit.leg_directions
-        for angle in (24, 48, 72, 96)
-    ]
-    rivals = np.column_stack([np.tile(pose[:3], (len(twists), 1)), np.reshape(twists, (-1, 9))])
-    rivals = refine(rivals, elements.points, elements.normals, own, grid, unit, tolerance, most=400, sweeps=8)
-    turns = np.einsum("nij,skj,lk->nsil", rivals[:, 3:].reshape(-1, 3, 3), unit.symmetries, rotation)
-    cosine = np.max((np.trace(turns, axis1=2, axis2=3) - 1) / 2, axis=1)
-    different = (cosine < np.cos(np.radians(12))) & (np.linalg.norm(rivals[:, :3] - pose[:3], axis=1) < 0.2 * unit.height)
-    if not different.any():
-        return 0.0
-    rivals = rivals[different]
-    # most twists end in the same few poses
-    rivals = rivals[without_copies(rivals, unit.symmetries, 0.02 * unit.height, np.cos(np.radians(2)))]
-    table = evidence(rivals, elements.points, elements.normals, elements.curved, own, grid, unit, tolerance, elements.noise)
-    value = np.array([worth(row) for row in table])
-    neighbours = others[np.sum((others[:, :3] - pose[:3]) ** 2, axis=1) < (1.5 * unit.height) ** 2]
-    for k in np.argsort(-value, kind="stable"):
-        if value[k] > 0 and all(overlap(rivals[k], other, unit) <= MOST_OVERLAP for other in neighbours):
-            return float(value[k])
-    return 0.0
 
 
 def _typical_misfit(table: FloatArray) -> float:
