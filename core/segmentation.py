@@ -29,7 +29,7 @@ from .pose import Pose
 from .surface_elements import SurfaceElements, surface_elements
 from .twist import settle_twists
 from .unit_types import UnitType
-from .verification import overlap, select
+from .verification import overlap, select, without_copies
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -49,6 +49,8 @@ SCORE_WEIGHTS = (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)
 SCORE_INTERCEPT = -4.48
 WORTH_ANOTHER_PASS = 0.3
 """Score a pass must reach with at least one unit for the remaining points to be searched again."""
+CHANCE_SCORE = 0.2
+"""Poses of a lower score lose their points to a last look for units."""
 MOST_INTERPENETRATION = 0.01
 """Share of its volume by which the weaker of two units may enter the stronger and still be stated as found."""
 
@@ -182,11 +184,30 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
         typical = _typical_misfit(chosen.evidence) if turn == 0 else typical
         if turn > 0 and not any(score(row, tolerance, typical) > WORTH_ANOTHER_PASS for row in chosen.evidence):
             break
-    return _judged(elements, poses, unit, tolerance, grid)
+    poses, table, owner = _settled(elements, poses, unit, tolerance, grid)
+    # chance alignments claim points of units: a last look without them
+    unlikely = np.array([score(row, tolerance, _typical_misfit(table)) < CHANCE_SCORE for row in table], dtype=np.bool_)
+    active = ~np.isin(owner, np.flatnonzero(~unlikely))
+    legs = find_legs(elements, active, grid, unit, tolerance, seed + PASSES)
+    single = poses_from_single_legs(legs, elements.points, active, grid, unit, tolerance, twists=5)
+    candidates = np.vstack([poses_from_pairs(legs, unit), single])
+    candidates = refine(candidates, elements.points, elements.normals, active, grid, unit, tolerance, most=250, sweeps=8)
+    same, turned = 0.08 * height, np.cos(np.radians(10))
+    known = without_copies(np.vstack([poses[unlikely], candidates]), unit.symmetries, same, turned)
+    candidates = candidates[known[known >= unlikely.sum()] - unlikely.sum()]
+    chosen = select(candidates, elements, active, grid, unit, tolerance, poses[~unlikely])
+    poses, table, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), unit, tolerance, grid)
+    typical = _typical_misfit(table)
+    sure = np.array([score(row, tolerance, typical) >= FOUND_SCORE for row in table], dtype=np.bool_)
+    poses, certainty = settle_twists(poses, table, sure, elements, owner, grid, unit, tolerance)
+    return JudgedPoses(elements, poses, table, certainty, tolerance, typical)
 
 
-def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolerance: float, grid: Grid) -> JudgedPoses:
-    """Refine the accepted poses on their exclusive points and judge them once more."""
+def _settled(
+    elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolerance: float, grid: Grid
+) -> tuple[FloatArray, FloatArray, IntArray]:
+    """Poses refined on their exclusive points, the evidence for each, and the owner of every element."""
+    poses = poses.copy()
     table = np.zeros((len(poses), 7))
     for _ in range(2):
         owner, _ = assign(elements.points, poses, unit, 2.5 * tolerance)
@@ -199,10 +220,7 @@ def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolera
             table[k] = evidence(
                 poses[k : k + 1], elements.points, elements.normals, elements.curved, own, grid, unit, tolerance, elements.noise
             )[0]
-    typical = _typical_misfit(table)
-    sure = np.array([score(row, tolerance, typical) >= FOUND_SCORE for row in table], dtype=np.bool_)
-    poses, certainty = settle_twists(poses, table, sure, elements, owner, grid, unit, tolerance)
-    return JudgedPoses(elements, poses, table, certainty, tolerance, typical)
+    return poses, table, owner
 
 
 def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmentation:

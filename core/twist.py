@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from .assembly import LEGS, evidence, refine
+from .assembly import LEGS, evidence, poses_from_pairs, poses_from_single_legs, refine
+from .conic_ransac import find_legs
 from .feature_points import body_features
 from .neighbourhood import Grid
 from .surface_elements import SurfaceElements
@@ -38,8 +39,12 @@ OPEN_TWIST = np.radians(10)
 """Standard deviation of the twist above which its mean is taken, not what chance aligned."""
 FEATURE_TOLERANCE = 0.15
 """Mean error of the feature points, in heights, within which a pose counts as known."""
+SAME_AXIS = np.radians(12)
+"""Legs whose axes differ less are the same leg, seen in two poses."""
+LEAST_CERTAINTY = 0.1
+"""Certainty of a unit whose twist is open: it is there, and reported as uncertain."""
 RIVAL_MARGIN = 0.08
-"""Share of its worth by which a pose must beat every different pose about one of its legs to count as unambiguous."""
+"""Share of its worth by which a pose must beat every pose with other legs in its place to count as unambiguous."""
 RIVAL_OVERLAP = 0.03
 """Share of its volume by which such a pose may enter another unit."""
 
@@ -53,7 +58,7 @@ class Twist:
     mean, sd
         Radians, from the pose it was asked for.
     certainty
-        0 where nothing is known, 1 where all likely twists place the feature points within ``FEATURE_TOLERANCE``.
+        ``LEAST_CERTAINTY`` where nothing is known, 1 where all likely twists place the feature points within ``FEATURE_TOLERANCE``.
     """
 
     mean: float
@@ -96,8 +101,7 @@ def settle_twists(
         known = _twist(values[k], entered, unit)
         if known.sd > OPEN_TWIST:
             poses[k] = _turned(poses[k], leg[k], np.array([known.mean]), unit)[0]
-        own = (owner == k) | (owner < 0)
-        rival = _best_rival(poses[k], poses[near], elements, own, grid, unit, tolerance)
+        rival = _best_rival(poses[k], leg[k], poses[near], elements, owner == k, owner < 0, grid, unit, tolerance)
         margin = (1 - rival / max(float(values[k].max()), 1e-9)) / RIVAL_MARGIN
         certainty[k] = min(known.certainty, float(np.clip(margin, 0, 1)))
         if sure[k] and certainty[k] > 0.5:
@@ -140,7 +144,7 @@ def _twist(values: FloatArray, entered: FloatArray, unit: UnitType) -> Twist:
     # where all twists are alike a guess is already right as often as this
     chance = 2 * within / TURN
     known = float(likely[away <= within].sum())
-    return Twist(mean, float(np.sqrt(np.sum(likely * away**2))), float(np.clip((known - chance) / (1 - chance), 0, 1)))
+    return Twist(mean, float(np.sqrt(np.sum(likely * away**2))), float(np.clip((known - chance) / (1 - chance), LEAST_CERTAINTY, 1)))
 
 
 def _tolerated(unit: UnitType) -> float:
@@ -152,23 +156,27 @@ def _tolerated(unit: UnitType) -> float:
 
 
 def _best_rival(
-    pose: FloatArray, others: FloatArray, elements: SurfaceElements, own: BoolArray, grid: Grid, unit: UnitType, tolerance: float
-) -> float:
-    """Worth of the best clearly different pose that shares one leg with this one and does not enter another unit."""
-    twists = np.concatenate([_turned(pose, leg, np.radians([24.0, 48.0, 72.0, 96.0]), unit) for leg in range(4)])
-    rivals = refine(twists, elements.points, elements.normals, own, grid, unit, tolerance, most=400, sweeps=8)
-    features = body_features(unit)[1:]
-    here = features @ pose[3:].reshape(3, 3).T + pose[:3]
-    relabelled = np.einsum("nij,sjk,fk->nsfi", rivals[:, 3:].reshape(-1, 3, 3), unit.symmetries, features) + rivals[:, None, None, :3]
-    error = np.linalg.norm(relabelled - here, axis=3).mean(axis=2).min(axis=1)
-    away = np.linalg.norm(rivals[:, :3] - pose[:3], axis=1)
-    different = (error > FEATURE_TOLERANCE * unit.height) & (away < 0.2 * unit.height)
+    pose: FloatArray, main: int, others: FloatArray, elements: SurfaceElements, own: BoolArray, free: BoolArray, grid: Grid,
+    unit: UnitType, tolerance: float,
+) -> float:  # fmt: skip
+    """Worth of the best pose that has no leg where the main one is, explains the same elements, and does not enter another unit."""
+    twists = [_turned(pose, leg, np.radians([24.0, 48.0, 72.0, 96.0]), unit) for leg in range(4) if leg != main]
+    legs = find_legs(elements, own, grid, unit, tolerance, 0)
+    starts = [*twists, poses_from_pairs(legs, unit), poses_from_single_legs(legs, elements.points, own, grid, unit, tolerance)]
+    both = own | free
+    rivals = refine(np.vstack(starts), elements.points, elements.normals, both, grid, unit, tolerance, most=400, sweeps=8)
+    axis = pose[3:].reshape(3, 3) @ unit.leg_directions[main]
+    axes = np.einsum("nij,kj->nki", rivals[:, 3:].reshape(-1, 3, 3), unit.leg_directions)
+    away = rivals[:, :3] - pose[:3]
+    # a leg along the same axis is the same leg, wherever on it the centre came to lie
+    across = np.linalg.norm(away - (away @ axis)[:, None] * axis, axis=1)
+    different = (np.max(axes @ axis, axis=1) < np.cos(SAME_AXIS)) | (across > 0.1 * unit.height)
     if not different.any():
         return 0.0
     rivals = rivals[different]
     # most twists end in the same few poses
     rivals = rivals[without_copies(rivals, unit.symmetries, 0.02 * unit.height, np.cos(np.radians(2)))]
-    table = evidence(rivals, elements.points, elements.normals, elements.curved, own, grid, unit, tolerance, elements.noise)
+    table = evidence(rivals, elements.points, elements.normals, elements.curved, both, grid, unit, tolerance, elements.noise)
     value = np.array([worth(row) for row in table])
     for k in np.argsort(-value, kind="stable"):
         if value[k] > 0 and all(overlap(rivals[k], other, unit) <= RIVAL_OVERLAP for other in others):
