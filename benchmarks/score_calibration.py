@@ -41,7 +41,7 @@ def survey_rows(folder: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         for k in order:
             verdict = _verdict(judged.poses[k], origin, truth, unit, taken)
             if verdict is not None:
-                features.append(score_features(judged.evidence[k], judged.tolerance, judged.typical_misfit))
+                features.append(score_features(judged.evidence[k], judged.tolerance, judged.typical))
                 right.append(verdict)
                 certainty.append(judged.certainty[k])
     return np.array(features).reshape(-1, 6), np.array(right, dtype=bool), np.array(certainty)

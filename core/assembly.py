@@ -25,6 +25,8 @@ IntArray = NDArray[np.int64]
 AZIMUTH_CELLS, AXIAL_CELLS = 8, 4
 CELLS_PER_LEG = AZIMUTH_CELLS * AXIAL_CELLS + 1
 NUMBER_OF_CELLS = 4 * CELLS_PER_LEG
+ABOUT_AS_GOOD = 0.9
+"""Share of the best twist's support at which another twist about a leg stands as well."""
 SUPPORT, CLOSE, INSIDE, CELLS, LEGS, RMS, REACHED = range(7)
 """Columns of the evidence table of :func:`evidence`."""
 
@@ -68,16 +70,20 @@ def _rotation_of_legs(a: FloatArray, b: FloatArray, unit: UnitType) -> FloatArra
 
 
 def poses_from_single_legs(
-    legs: Legs, points: FloatArray, active: NDArray[np.bool_], grid: Grid, unit: UnitType, tolerance: float
+    legs: Legs, points: FloatArray, active: NDArray[np.bool_], grid: Grid, unit: UnitType, tolerance: float, *, twists: int = 2
 ) -> FloatArray:
-    """The best two poses about each leg, searched over the shift along its axis and the twist about it: (2 k, 12)."""
+    """Poses about each leg, searched over the shift along its axis and the twist about it: (n, 12).
+
+    The best two, and with ``twists`` 5 three more where they are about as good as the best: which of them has room is seen later.
+    """
     if not len(legs.axis):
         return np.zeros((0, 12))
     reach = np.clip(2.5 * legs.centre_sd, 0.06 * unit.height, 0.24 * unit.height)
-    return np.asarray(_twist_search(
+    poses = np.asarray(_twist_search(
         legs.axis, legs.centre, reach, points, active, grid.start, grid.order, grid.origin, grid.size, grid.cell,
-        unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance,
+        unit.leg_directions, unit.radius, unit.gradient, unit.leg_length, unit.height, tolerance, twists,
     ))  # fmt: skip
+    return np.asarray(poses[poses[:, 3:].any(axis=1)])
 
 
 def refine(
@@ -201,11 +207,11 @@ def _crease_distance(x: float, y: float, z: float, leg: int, axial: float, legs:
 @kernel(parallel=True)
 def _twist_search(
     axes: Any, centres: Any, reaches: Any, points: Any, active: Any, start: Any, order: Any, origin: Any, size: Any, cell: float,
-    legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float,
+    legs: Any, radius: float, gradient: float, length: float, height: float, tolerance: float, most: int,
 ) -> Any:  # fmt: skip
     n = len(axes)
-    out = np.zeros((2 * n, 12))
-    twists = 14
+    out = np.zeros((most * n, 12))
+    twists = 16
     for i in prange(n):
         near = gather(points, active, centres[i], 0.85 * height, start, order, origin, size, cell, 260)
         m = len(near)
@@ -224,8 +230,10 @@ def _twist_search(
             local[2, q] = d0 * axis[0] + d1 * axis[1] + d2 * axis[2]
         steps = max(1, int(np.ceil(reaches[i] / (0.035 * height))))
         best = np.full(2, -1e300)
-        best_z = np.zeros(2)
-        best_t = np.zeros(2)
+        best_z = np.zeros(most)
+        best_t = np.zeros(most)
+        of_twist = np.full(twists, -1e300)
+        shift_of_twist = np.zeros(twists)
         turned = np.empty((4, 3))
         for t in range(twists):
             angle = t * (2.0 * np.pi / 3.0) / twists
@@ -236,6 +244,8 @@ def _twist_search(
             for k in range(-steps, steps + 1):
                 shift = k * reaches[i] / steps
                 total = _twist_support(local, turned, shift, radius, gradient, length, tolerance)
+                if total > of_twist[t]:
+                    of_twist[t], shift_of_twist[t] = total, shift
                 far = 1.0
                 if best[0] > -1e299:
                     turn = abs(angle - best_t[0])
@@ -248,14 +258,22 @@ def _twist_search(
                     best[0], best_z[0], best_t[0] = total, shift, angle
                 elif total > best[1] and far > 0.0:
                     best[1], best_z[1], best_t[1] = total, shift, angle
-        for w in range(2):
+        first = int(np.argmax(of_twist))
+        for w in range(2, most):
+            t = (first + (w - 1) * twists // 4) % twists
+            best_t[w] = t * (2.0 * np.pi / 3.0) / twists
+            # a twist that is worse is left as zeros
+            best_z[w] = shift_of_twist[t] if of_twist[t] >= ABOUT_AS_GOOD * best[0] else np.inf
+        for w in range(most):
+            if best_z[w] == np.inf:
+                continue
             ca = np.cos(best_t[w])
             sa = np.sin(best_t[w])
             for a in range(3):
-                out[2 * i + w, a] = centres[i, a] + best_z[w] * axis[a]
-                out[2 * i + w, 3 + 3 * a] = ca * e1[a] + sa * e2[a]
-                out[2 * i + w, 4 + 3 * a] = -sa * e1[a] + ca * e2[a]
-                out[2 * i + w, 5 + 3 * a] = axis[a]
+                out[most * i + w, a] = centres[i, a] + best_z[w] * axis[a]
+                out[most * i + w, 3 + 3 * a] = ca * e1[a] + sa * e2[a]
+                out[most * i + w, 4 + 3 * a] = -sa * e1[a] + ca * e2[a]
+                out[most * i + w, 5 + 3 * a] = axis[a]
     return out
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,9 @@ from .tiles import PointCloud, Window, read_points
 from .trajectory import BeamNoise
 from .unit_types import UnitType
 
+if TYPE_CHECKING:
+    from .gauss_helmert import Adjustment, AdjustmentOptions
+
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
@@ -29,6 +32,8 @@ NEAR_FEATURE_HEIGHTS = 0.15
 OBSERVED_CENTRE_COVERAGE = 0.05
 RADIUS_TOLERANCE, GRADIENT_TOLERANCE = 0.01, 0.01
 """Standard deviation of a unit's radius (relative) and gradient about the nominal shape, as prior observations."""
+NEARBY_HEIGHTS = 0.25
+"""An adjustment that moves the centre farther has found something else: segmented poses are good to a few hundredths."""
 ROUGHNESS_RATIO = 0.0015
 """Standard deviation of a unit's surface about its four cones as a share of its height, where beams are known: 3.5 mm at 2.3 m."""
 
@@ -132,7 +137,7 @@ class FitJob:
     def run(self) -> Arrays:
         """Arrays of the units with their adjustment, points included."""
         from .feature_points import TRIPLES, body_features
-        from .gauss_helmert import AdjustmentOptions, adjust
+        from .gauss_helmert import AdjustmentOptions
 
         source = load_arrays(self.segmented)
         if source is None:
@@ -166,7 +171,7 @@ class FitJob:
                 times = source["times"][own] if "times" in source else np.zeros(len(points))
                 covariances = self.beams.covariances(points, source["origin"], source["sources"][own], times, ROUGHNESS_RATIO * unit.height)
             try:
-                result = adjust(points, unit, _pose(table["poses"][k]), options=options, covariances=covariances)
+                result = _adjusted_nearby(points, unit, _pose(table["poses"][k]), options, covariances)
             except InputError:
                 # too little is seen of it for an adjustment: it stays as segmented, as uncertain evidence without covariance
                 table["status"][k] = "uncertain"
@@ -198,6 +203,28 @@ class FitJob:
             "sources": np.concatenate(sources) if sources else np.empty(0, np.uint16),
             "offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
         }
+
+
+def _adjusted_nearby(
+    points: FloatArray, unit: UnitType, pose: Pose, options: AdjustmentOptions, covariances: FloatArray | None
+) -> Adjustment:
+    """Adjustment of a unit that stays where the segmentation found it.
+
+    Where little more than the end of a leg is seen, an approach without the end discs may turn to another surface.
+
+    Raises
+    ------
+    InputError
+        Too few points, or no solution near the pose.
+    """
+    from .gauss_helmert import adjust
+
+    discs: tuple[bool | Literal["auto"], ...] = ("auto", True)
+    for end_discs in discs:
+        result = adjust(points, unit, pose, options=replace(options, end_discs=end_discs), covariances=covariances)
+        if np.linalg.norm(result.pose.centre - pose.centre) < NEARBY_HEIGHTS * unit.height:
+            return result
+    raise InputError("no adjustment stays near the pose that was found", remedy="Check the points of the unit.")
 
 
 SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported")

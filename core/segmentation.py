@@ -7,7 +7,6 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from .aggregation import assign, contested
 from .assembly import (
@@ -28,8 +27,9 @@ from .conic_ransac import find_legs
 from .neighbourhood import Grid, build_grid
 from .pose import Pose
 from .surface_elements import SurfaceElements, surface_elements
+from .twist import settle_twists
 from .unit_types import UnitType
-from .verification import MOST_OVERLAP, overlap, select, without_copies, worth
+from .verification import overlap, select, without_copies
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -49,10 +49,12 @@ SCORE_WEIGHTS = (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)
 SCORE_INTERCEPT = -4.48
 WORTH_ANOTHER_PASS = 0.3
 """Score a pass must reach with at least one unit for the remaining points to be searched again."""
+FEW_ELEMENTS = 40
+"""Fewer supporting elements than this make a pose less likely, whatever share of those around it they are."""
+CHANCE_SCORE = 0.2
+"""Poses of a lower score lose their points to a last look for units."""
 MOST_INTERPENETRATION = 0.01
 """Share of its volume by which the weaker of two units may enter the stronger and still be stated as found."""
-RIVAL_MARGIN = 0.08
-"""Share of its worth by which a pose must beat every different pose about one of its legs to count as unambiguous."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,6 +91,22 @@ class DetectedUnit:
     supported: float
 
 
+@dataclass(frozen=True)
+class TypicalUnit:
+    """What fitting real surfaces leaves in a cloud.
+
+    Attributes
+    ----------
+    misfit
+        Median misfit, metres.
+    agreement
+        Median share of the elements on the surface whose normal agrees.
+    """
+
+    misfit: float
+    agreement: float
+
+
 @dataclass(frozen=True, eq=False)
 class JudgedPoses:
     """Poses with what speaks for and against each.
@@ -102,11 +120,11 @@ class JudgedPoses:
     evidence
         (k, 7) columns as in ``assembly``.
     certainty
-        (k,) 0..1, 0 where a different twist about a leg explains the points as well.
+        (k,) 0..1, how far the turn about a leg is known: see ``twist``.
     tolerance
         Distance within which an element supports a unit, metres.
-    typical_misfit
-        Misfit of the poses that are surely units, metres.
+    typical
+        What the poses that are surely units have in common.
     """
 
     elements: SurfaceElements
@@ -114,7 +132,7 @@ class JudgedPoses:
     evidence: FloatArray
     certainty: FloatArray
     tolerance: float
-    typical_misfit: float
+    typical: TypicalUnit
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,7 +186,7 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     tolerance = max(2.5 * elements.element_noise, 0.008 * height)
     active = np.ones(len(elements.points), dtype=np.bool_)
     poses = np.zeros((0, 12))
-    typical = 0.0
+    typical = _typical_unit(np.zeros((0, 7)))
     for turn in range(PASSES):
         legs = find_legs(elements, active, grid, unit, tolerance, seed + turn)
         candidates = poses_from_pairs(legs, unit)
@@ -180,15 +198,34 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
         poses = np.vstack([poses, chosen.poses])
         if turn == 0 and len(chosen.poses) >= 3:
             # the strongest units tell the misfit of real surfaces, which roughness and strip offsets make larger than the noise
-            tolerance = float(np.clip(2.5 * _typical_misfit(chosen.evidence), tolerance, 1.3 * tolerance))
-        typical = _typical_misfit(chosen.evidence) if turn == 0 else typical
+            tolerance = float(np.clip(2.5 * _typical_unit(chosen.evidence).misfit, tolerance, 1.3 * tolerance))
+        typical = _typical_unit(chosen.evidence) if turn == 0 else typical
         if turn > 0 and not any(score(row, tolerance, typical) > WORTH_ANOTHER_PASS for row in chosen.evidence):
             break
-    return _judged(elements, poses, unit, tolerance, grid)
+    poses, table, owner = _settled(elements, poses, unit, tolerance, grid)
+    # chance alignments claim points of units: a last look without them
+    unlikely = np.array([score(row, tolerance, _typical_unit(table)) < CHANCE_SCORE for row in table], dtype=np.bool_)
+    active = ~np.isin(owner, np.flatnonzero(~unlikely))
+    legs = find_legs(elements, active, grid, unit, tolerance, seed + PASSES)
+    single = poses_from_single_legs(legs, elements.points, active, grid, unit, tolerance, twists=5)
+    candidates = np.vstack([poses_from_pairs(legs, unit), single])
+    candidates = refine(candidates, elements.points, elements.normals, active, grid, unit, tolerance, most=250, sweeps=8)
+    same, turned = 0.08 * height, np.cos(np.radians(10))
+    known = without_copies(np.vstack([poses[unlikely], candidates]), unit.symmetries, same, turned)
+    candidates = candidates[known[known >= unlikely.sum()] - unlikely.sum()]
+    chosen = select(candidates, elements, active, grid, unit, tolerance, poses[~unlikely])
+    poses, table, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), unit, tolerance, grid)
+    typical = _typical_unit(table)
+    sure = np.array([score(row, tolerance, typical) >= FOUND_SCORE for row in table], dtype=np.bool_)
+    poses, certainty = settle_twists(poses, table, sure, elements, owner, grid, unit, tolerance)
+    return JudgedPoses(elements, poses, table, certainty, tolerance, typical)
 
 
-def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolerance: float, grid: Grid) -> JudgedPoses:
-    """Refine the accepted poses on their exclusive points and judge them once more."""
+def _settled(
+    elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolerance: float, grid: Grid
+) -> tuple[FloatArray, FloatArray, IntArray]:
+    """Poses refined on their exclusive points, the evidence for each, and the owner of every element."""
+    poses = poses.copy()
     table = np.zeros((len(poses), 7))
     for _ in range(2):
         owner, _ = assign(elements.points, poses, unit, 2.5 * tolerance)
@@ -201,18 +238,13 @@ def _judged(elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolera
             table[k] = evidence(
                 poses[k : k + 1], elements.points, elements.normals, elements.curved, own, grid, unit, tolerance, elements.noise
             )[0]
-    certainty = np.ones(len(poses))
-    for k in map(int, np.flatnonzero(table[:, LEGS] <= 2)):
-        own = (owner == k) | (owner < 0)
-        rival = _best_rival(poses[k], np.delete(poses, k, axis=0), elements, own, grid, unit, tolerance)
-        certainty[k] = np.clip((1 - rival / max(worth(table[k]), 1e-9)) / RIVAL_MARGIN, 0, 1)
-    return JudgedPoses(elements, poses, table, certainty, tolerance, _typical_misfit(table))
+    return poses, table, owner
 
 
 def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmentation:
     """State which poses are units, and hand the raw points out."""
     poses, table, tolerance, elements = judged.poses, judged.evidence, judged.tolerance, judged.elements
-    found = np.array([score(row, tolerance, judged.typical_misfit) for row in table])
+    found = np.array([score(row, tolerance, judged.typical) for row in table])
     scores = judged.certainty * found
     shared = np.zeros(len(poses))
     for k in range(len(poses)):
@@ -238,69 +270,43 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
     return Segmentation(units, labels, elements.spacing, elements.noise, tolerance)
 
 
-def _best_rival(
-    pose: FloatArray,
-    others: FloatArray,
-    elements: SurfaceElements,
-    own: NDArray[np.bool_],
-    grid: Grid,
-    unit: UnitType,
-    tolerance: float,
-) -> float:
-    """Worth of the best clearly different pose that shares one leg with this one and does not enter another unit.
-
-    With one leg seen the twist about its axis is undetermined (METHOD 3): then another twist explains the points as well.
-    """
-    rotation = pose[3:].reshape(3, 3)
-    twists = [
-        Rotation.from_rotvec(np.radians(angle) * rotation @ axis).as_matrix() @ rotation
-        for axis in unit.leg_directions
-        for angle in (24, 48, 72, 96)
-    ]
-    rivals = np.column_stack([np.tile(pose[:3], (len(twists), 1)), np.reshape(twists, (-1, 9))])
-    rivals = refine(rivals, elements.points, elements.normals, own, grid, unit, tolerance, most=400, sweeps=8)
-    turns = np.einsum("nij,skj,lk->nsil", rivals[:, 3:].reshape(-1, 3, 3), unit.symmetries, rotation)
-    cosine = np.max((np.trace(turns, axis1=2, axis2=3) - 1) / 2, axis=1)
-    different = (cosine < np.cos(np.radians(12))) & (np.linalg.norm(rivals[:, :3] - pose[:3], axis=1) < 0.2 * unit.height)
-    if not different.any():
-        return 0.0
-    rivals = rivals[different]
-    # most twists end in the same few poses
-    rivals = rivals[without_copies(rivals, unit.symmetries, 0.02 * unit.height, np.cos(np.radians(2)))]
-    table = evidence(rivals, elements.points, elements.normals, elements.curved, own, grid, unit, tolerance, elements.noise)
-    value = np.array([worth(row) for row in table])
-    neighbours = others[np.sum((others[:, :3] - pose[:3]) ** 2, axis=1) < (1.5 * unit.height) ** 2]
-    for k in np.argsort(-value, kind="stable"):
-        if value[k] > 0 and all(overlap(rivals[k], other, unit) <= MOST_OVERLAP for other in neighbours):
-            return float(value[k])
-    return 0.0
-
-
-def _typical_misfit(table: FloatArray) -> float:
-    """Median misfit of the poses that are surely units, metres: what fitting real surfaces leaves in this cloud.
+def _typical_unit(table: FloatArray) -> TypicalUnit:
+    """What the poses that are surely units have in common.
 
     Where rock abounds most poses are none. Units are the poses whose elements' normals agree nearly as often as those of the best
     supported poses do.
     """
     if not len(table):
-        return 0.0
+        return TypicalUnit(0.0, 1.0)
     agreeing = table[:, SUPPORT] / np.maximum(table[:, CLOSE], 1.0)
-    strong = table[:, SUPPORT] >= 0.5 * table[:, SUPPORT].max()
-    return float(np.median(table[agreeing >= 0.9 * np.median(agreeing[strong]), RMS]))
+    agreement = float(np.median(agreeing[table[:, SUPPORT] >= 0.5 * table[:, SUPPORT].max()]))
+    return TypicalUnit(float(np.median(table[agreeing >= 0.9 * agreement, RMS])), agreement)
 
 
-def score(row: FloatArray, tolerance: float, typical: float) -> float:
+def score(row: FloatArray, tolerance: float, typical: TypicalUnit) -> float:
     """Probability, 0..1, that the evidence row is that of a real unit in its true pose: a logistic model of its features.
 
     The weights were fitted to simulated piles, rock and laboratory scenes (``benchmarks/score_calibration.py``), never to a real
-    survey.
+    survey. What no unit of those shows speaks against a pose beyond that.
     """
     if row[CLOSE] < 1:
         return 0.0
-    return float(1 / (1 + np.exp(-(SCORE_INTERCEPT + np.dot(SCORE_WEIGHTS, score_features(row, tolerance, typical))))))
+    odds = SCORE_INTERCEPT + np.dot(SCORE_WEIGHTS, score_features(row, tolerance, typical)) - _unlikeness(row, tolerance, typical)
+    return float(1 / (1 + np.exp(-odds)))
 
 
-def score_features(row: FloatArray, tolerance: float, typical: float) -> FloatArray:
+def _unlikeness(row: FloatArray, tolerance: float, typical: TypicalUnit) -> float:
+    """Logarithmic odds against a pose that is in one way unlike all units, however good the rest looks; 0 for most."""
+    return float(
+        # points scattered evenly over the window have a misfit of 1.15 tolerances, units hardly ever more than a half
+        20 * max(0.0, row[RMS] / tolerance - 0.5)
+        # few elements align by chance
+        + 4 * max(0.0, 1 - row[SUPPORT] / FEW_ELEMENTS)
+        + 8 * max(0.0, 0.8 - row[SUPPORT] / row[CLOSE] / max(typical.agreement, 1e-12))
+    )
+
+
+def score_features(row: FloatArray, tolerance: float, typical: TypicalUnit) -> FloatArray:
     """(6,) what the score is made of.
 
     Odds that an element near the surface lies on it and odds that its normal agrees, both the more telling the more surface cells
@@ -316,7 +322,7 @@ def score_features(row: FloatArray, tolerance: float, typical: float) -> FloatAr
             extent * on_surface,
             extent * agreeing,
             np.log1p(row[INSIDE] / (0.01 * close + 1)),
-            min(row[RMS] / max(typical, 1e-12), 4.0),
+            min(row[RMS] / max(typical.misfit, 1e-12), 4.0),
             row[RMS] / tolerance,
             extent,
         ]
