@@ -168,8 +168,7 @@ class FitJob:
             used = np.ones(len(points), dtype=np.bool_)
             covariances = None
             if self.beams is not None:
-                times = source["times"][own] if "times" in source else np.zeros(len(points))
-                covariances = self.beams.covariances(points, source["origin"], source["sources"][own], times, ROUGHNESS_RATIO * unit.height)
+                covariances = covariances_of(source, own, self.beams, unit)
             try:
                 result = _adjusted_nearby(points, unit, _pose(table["poses"][k]), options, covariances)
             except InputError:
@@ -269,6 +268,30 @@ def unit_arrays(
         **({"times": cloud.gps_time[mine]} if timed else {}),
         "offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
     }
+
+
+def covariances_of(arrays: Mapping[str, NDArray[Any]], own: slice, beams: BeamNoise, unit: UnitType) -> FloatArray:
+    """(n, 3, 3) covariance of a unit's points, square metres.
+
+    Parameters
+    ----------
+    arrays
+        Arrays of the block's units, see :func:`unit_arrays`; ``times`` may be missing where no trajectory is read.
+    own
+        Which of the points are the unit's.
+    beams
+        Noise of ranges and angles with the sensor's positions.
+    unit
+        The unit's type: the roughness of its surface goes with its height.
+
+    Raises
+    ------
+    InputError
+        The sensor's position is not known for a point.
+    """
+    points = arrays["points"][own]
+    times = arrays["times"][own] if "times" in arrays else np.zeros(len(points))
+    return beams.covariances(points, arrays["origin"], arrays["sources"][own], times, ROUGHNESS_RATIO * unit.height)
 
 
 def owners(blocks: Sequence[tuple[Window, Mapping[str, NDArray[Any]]]], heights: Sequence[float]) -> list[IntArray]:

@@ -67,6 +67,7 @@ def calibrate(
     unit: UnitType,
     poses: Sequence[Pose],
     *,
+    covariances: Sequence[ArrayLike | None] | None = None,
     options: AdjustmentOptions | None = None,
     best: int = CALIBRATION_UNITS,
 ) -> Calibration:
@@ -80,6 +81,9 @@ def calibrate(
         Nominal geometry, the starting value.
     poses
         Approximate pose of each unit.
+    covariances
+        For each unit (m, 3, 3) covariances of its points, square metres, or None for equal noise in all directions; None for equal noise
+        of all.
     options
         Options of the single adjustments; their shape is always free.
     best
@@ -90,20 +94,21 @@ def calibrate(
     InputError
         No unit shows enough legs to determine its shape.
     """
-    if len(points) != len(poses):
-        raise ValueError(f"{len(points)} clouds but {len(poses)} poses")
+    noise = [None] * len(points) if covariances is None else covariances
+    if not len(points) == len(poses) == len(noise):
+        raise ValueError(f"{len(points)} clouds but {len(poses)} poses and covariances of {len(noise)}")
     free = replace(options or AdjustmentOptions(), radius_sd=math.inf, gradient_sd=math.inf)
     order = sorted(range(len(points)), key=lambda k: -len(np.asarray(points[k])))[:best]
     shapes = np.full((len(points), 2), math.nan)
-    covariances = np.full((len(points), 2, 2), math.nan)
+    shape_covariances = np.full((len(points), 2, 2), math.nan)
     for k in order:
         try:
-            result = adjust(points[k], unit, poses[k], options=free)
+            result = adjust(points[k], unit, poses[k], options=free, covariances=noise[k])
         except InputError:
             continue
         if _determines_shape(result):
             shapes[k] = result.radius, result.gradient
-            covariances[k] = result.covariance[6:, 6:]
+            shape_covariances[k] = result.covariance[6:, 6:]
     used = np.isfinite(shapes[:, 0])
     if not used.any():
         raise InputError(
@@ -111,13 +116,13 @@ def calibrate(
             where="[unit], key calibrate",
             remedy="set calibrate = false and give radius and gradient, or use a cloud in which some units show two legs or more",
         )
-    _, covariance, between = _combine(shapes[used], covariances[used])
+    _, covariance, between = _combine(shapes[used], shape_covariances[used])
     # the median to begin with: one strange unit must not put the mean where all others look strange
     mean = np.median(shapes[used], axis=0)
     limit = float(chdtri(2, 1 - REJECTION))
     for _ in range(10):
         offsets = shapes - mean
-        spread = covariances + np.diag(between**2)
+        spread = shape_covariances + np.diag(between**2)
         candidates = np.flatnonzero(np.isfinite(shapes[:, 0]))
         distances = np.array([offsets[k] @ np.linalg.solve(spread[k], offsets[k]) for k in candidates])
         kept = np.zeros(len(points), dtype=np.bool_)
@@ -126,7 +131,7 @@ def calibrate(
             break
         settled = bool((kept == used).all())
         used = kept
-        mean, covariance, between = _combine(shapes[used], covariances[used])
+        mean, covariance, between = _combine(shapes[used], shape_covariances[used])
         if settled:
             break
     return Calibration(unit.with_shape(*mean), covariance, between, used, shapes)

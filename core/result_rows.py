@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,17 +12,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .block_jobs import covariances_of
 from .feature_points import FEATURES, feature_points
 from .geopackage import upper_triangle
 from .pose import Pose
 from .run_record import RunRecord, software_version
 from .survey import Epoch
-from .tile_jobs import Block, load_arrays
+from .tile_jobs import Block, load_arrays, loaded_arrays
 from .tiles import TileInfo
 from .unit_types import UnitType
 
 if TYPE_CHECKING:
     from .control import Registration
+    from .trajectory import BeamNoise
 
 FloatArray = NDArray[np.float64]
 Row = dict[str, Any]
@@ -84,6 +86,29 @@ class EpochUnits:
             for row in rows:
                 own = slice(arrays["offsets"][self.places[row, 1]], arrays["offsets"][self.places[row, 1] + 1])
                 yield int(row), arrays["points"][own] + arrays["origin"], arrays["sources"][own]
+
+    def covariances(self, beams: BeamNoise) -> Callable[[int], FloatArray]:
+        """Reads (n, 3, 3) covariances of a unit's points by its row, in the order of :meth:`points`; square metres.
+
+        It holds one file at a time: units of one file are to be asked for one after the other.
+
+        Raises
+        ------
+        InputError
+            When reading, if a file is gone or the sensor's position is not known for a point.
+        """
+        held: dict[int, Mapping[str, NDArray[Any]]] = {}
+
+        def read(row: int) -> FloatArray:
+            number, place = self.places[row]
+            if number not in held:
+                held.clear()
+                held[number] = loaded_arrays(self.files[number])
+            arrays = held[number]
+            own = slice(arrays["offsets"][place], arrays["offsets"][place + 1])
+            return covariances_of(arrays, own, beams, self.units[int(self.table["type"][row])])
+
+        return read
 
 
 def unit_rows(epoch: EpochUnits, ids: Sequence[str]) -> list[Row]:

@@ -8,14 +8,19 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .errors import InputError
+
+if TYPE_CHECKING:
+    from .survey import Epoch
 
 FloatArray = NDArray[np.float64]
 
@@ -196,10 +201,25 @@ class BeamNoise:
             Standard deviation of the surface itself about the model, metres: without it a surface that is met at a slant, where the range
             says little about the distance to it, would be trusted without limit.
         """
-        from .gauss_helmert import beam_covariances
+        return surface_covariances(points, self.sensors(source_id, gps_time) - origin, self.range_sd, self.angle_sd, roughness)
 
-        beams = beam_covariances(points, self.sensors(source_id, gps_time) - origin, self.range_sd, self.angle_sd)
-        return np.asarray(beams + roughness**2 * np.eye(3))
+
+def noise_of(epoch: Epoch, checksum: Callable[[Path], str]) -> BeamNoise | None:
+    """Noise along and across the beams, where the epoch gives the sensor's positions; ``checksum`` gives that of a file."""
+    if epoch.range_sd is None or epoch.angle_sd is None:
+        return None
+    checksums = tuple(checksum(path) for path in (epoch.trajectory, epoch.stations) if path is not None)
+    return BeamNoise(epoch.range_sd, math.radians(epoch.angle_sd), epoch.trajectory, epoch.stations, checksums)
+
+
+def surface_covariances(points: FloatArray, sensors: FloatArray, range_sd: float, angle_sd: float, roughness: float) -> FloatArray:
+    """(n, 3, 3) covariance, square metres, of points of a surface measured from (n, 3) sensors in their frame.
+
+    ``range_sd``, ``angle_sd`` and ``roughness`` as in :class:`BeamNoise`.
+    """
+    from .gauss_helmert import beam_covariances
+
+    return np.asarray(beam_covariances(points, sensors, range_sd, angle_sd) + roughness**2 * np.eye(3))
 
 
 # an epoch's blocks are fitted one after another in the same process: one reading serves them all

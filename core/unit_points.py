@@ -11,7 +11,7 @@ import math
 import os
 import shutil
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -24,7 +24,7 @@ from .errors import InputError, OutputError
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-INDEX_VERSION = 1
+INDEX_VERSION = 2
 SCALE = 1e-4
 """Resolution of stored coordinates, metres: far below any sensor's noise."""
 _STRIDE = 1 << 20
@@ -74,6 +74,7 @@ class PointIndex:
                 epoch: [IndexPart(part["stem"], int(part["count"]), tuple(part["bounds"])) for part in parts]
                 for epoch, parts in content["epochs"].items()
             }
+            self._noise = {epoch: (float(sds[0]), float(sds[1])) for epoch, sds in content.get("noise", {}).items()}
         except (json.JSONDecodeError, KeyError, TypeError, ValueError) as error:
             raise InputError("is no point index", source=description, remedy="Delete the folder and build it again.") from error
         if version != INDEX_VERSION:
@@ -84,20 +85,33 @@ class PointIndex:
         """Labels of the epochs the index holds."""
         return tuple(self._parts)
 
+    def noise(self, epoch: str) -> tuple[float, float] | None:
+        """Standard deviations of ranges, metres, and of the beams' directions, radians; None where the sensor's positions are not known."""
+        return self._noise.get(epoch)
+
     def read(self, epoch: str, centre: ArrayLike, half_size: float) -> FloatArray:
         """(n, 3) points of an epoch in the cube ``centre`` ± ``half_size`` metres, control frame; (0, 3) where nothing is indexed."""
+        return self._read(epoch, centre, half_size, 3)
+
+    def read_with_sensors(self, epoch: str, centre: ArrayLike, half_size: float) -> tuple[FloatArray, FloatArray]:
+        """Points as :meth:`read` gives them, and (n, 3) positions of the sensor when it measured each; of epochs with :meth:`noise`."""
+        found = self._read(epoch, centre, half_size, 6)
+        return found[:, :3], found[:, 3:]
+
+    def _read(self, epoch: str, centre: ArrayLike, half_size: float, columns: int) -> FloatArray:
+        """(n, columns) coordinates of points, and of their sensors where that many are asked for."""
         middle = np.asarray(centre, dtype=np.float64)
         low, high = middle - half_size, middle + half_size
-        found = [np.empty((0, 3))]
+        found = [np.empty((0, columns))]
         for part in self._parts.get(epoch, []):
             e0, n0, e1, n1 = part.bounds
             if e1 < low[0] or e0 > high[0] or n1 < low[1] or n0 > high[1]:
                 continue
-            found.append(self._read_part(part, low, high))
+            found.append(self._read_part(part, low, high, columns))
         points = np.vstack(found)
-        return points[np.all((points >= low) & (points <= high), axis=1)]
+        return points[np.all((points[:, :3] >= low) & (points[:, :3] <= high), axis=1)]
 
-    def _read_part(self, part: IndexPart, low: FloatArray, high: FloatArray) -> FloatArray:
+    def _read_part(self, part: IndexPart, low: FloatArray, high: FloatArray, columns: int) -> FloatArray:
         keys, starts, coordinates = self._files(part.stem)
         first = np.floor((low[:2] - self.origin[:2]) / self.cell).astype(np.int64)
         last = np.floor((high[:2] - self.origin[:2]) / self.cell).astype(np.int64)
@@ -107,8 +121,8 @@ class PointIndex:
             a = np.searchsorted(keys, _key(i, int(first[1])), side="left")
             b = np.searchsorted(keys, _key(i, int(last[1])), side="right")
             if b > a:
-                pieces.append(np.asarray(coordinates[starts[a] : starts[b]]))
-        return np.vstack(pieces) * SCALE + self.origin if pieces else np.empty((0, 3))
+                pieces.append(np.asarray(coordinates[starts[a] : starts[b], :columns]))
+        return np.vstack(pieces) * SCALE + np.tile(self.origin, columns // 3) if pieces else np.empty((0, columns))
 
     def _files(self, stem: str) -> tuple[IntArray, IntArray, NDArray[np.int32]]:
         if stem not in self._open:
@@ -122,7 +136,13 @@ class PointIndex:
 
 
 def write_index(
-    folder: Path, tiles: Iterable[tuple[str, str, FloatArray]], centres: ArrayLike, half_size: float, cell: float | None = None
+    folder: Path,
+    tiles: Iterable[tuple[str, str, FloatArray]],
+    centres: ArrayLike,
+    half_size: float,
+    cell: float | None = None,
+    *,
+    noise: Mapping[str, tuple[float, float]] | None = None,
 ) -> int:
     """Write the index of all points near units; an index that is there already is replaced when the new one is complete.
 
@@ -131,13 +151,16 @@ def write_index(
     folder
         Where to write, see :func:`index_folder`.
     tiles
-        (epoch label, tile name, (n, 3) points in the control frame), one tile at a time.
+        (epoch label, tile name, (n, 3) points in the control frame), one tile at a time; of epochs in ``noise`` (n, 6), with the position
+        of the sensor after that of each point.
     centres
         (m, 3) centres of the units in all epochs.
     half_size
         Points farther than this from every centre (in each coordinate) are left out, metres.
     cell
         Edge of the cells, metres; half of ``half_size`` by default.
+    noise
+        By epoch whose sensor positions are known, standard deviations of ranges (metres) and of the beams' directions (radians).
 
     Returns
     -------
@@ -169,7 +192,7 @@ def write_index(
             if kept is not None:
                 parts[epoch].append({"stem": f"{number:05d}", "count": kept[0], "bounds": kept[1]})
                 total += kept[0]
-        content = {"version": INDEX_VERSION, "origin": origin.tolist(), "cell": edge, "half_size": half_size, "epochs": parts}
+        content = {"version": INDEX_VERSION, "origin": origin.tolist(), "cell": edge, "half_size": half_size, "epochs": parts, "noise": dict(noise or {})}
         (work / "index.json").write_text(json.dumps(content, indent=1), encoding="utf-8")
         if folder.exists():
             shutil.rmtree(folder)
@@ -200,7 +223,8 @@ def _write_part(
     # one more start than cells, so that the last cell ends somewhere; its key is never asked for
     table = np.vstack([np.append(cells, np.iinfo(np.int64).max), np.append(starts, len(kept))])
     np.save(stem.with_name(f"{stem.name}.cells.npy"), table)
-    np.save(stem.with_name(f"{stem.name}.points.npy"), np.round((kept - origin) / SCALE).astype(np.int32))
+    reduced = kept - np.tile(origin, kept.shape[1] // 3)
+    np.save(stem.with_name(f"{stem.name}.points.npy"), np.round(reduced / SCALE).astype(np.int32))
     low, high = kept.min(axis=0), kept.max(axis=0)
     return len(kept), (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
+from .block_jobs import ROUGHNESS_RATIO
 from .control import Transformation
 from .displacement_rows import EpochInfo, leg_length_of, read_epochs
 from .errors import InputError
@@ -19,7 +20,8 @@ from .pose import Pose
 from .result_tables import read_layer_rows
 from .segmentation import segment
 from .survey import Survey
-from .tiles import read_points
+from .tiles import checksum, read_points
+from .trajectory import noise_of, surface_covariances
 from .unit_edits import NewPose, set_pose
 from .unit_points import PointIndex, index_folder, write_index
 from .unit_types import UnitType
@@ -34,12 +36,13 @@ CLICK_HEIGHTS = 0.6
 
 
 def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[str, Any]:
-    """Write the index of points around the units of a result, in the control frame, beside it.
+    """Write the index of points around the units of a result, in the control frame, beside it; with the sensor's positions where the
+    survey gives them.
 
     Raises
     ------
     InputError
-        Survey and result do not belong together, or a tile is damaged.
+        Survey and result do not belong together, a tile is damaged, or the sensor's position is not known for a point.
     """
     infos = epochs_of(survey, result)
     centres = [row["geom"] for row in read_layer_rows(result, "units") if row["geom"] is not None]
@@ -51,16 +54,20 @@ def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[
         done = 0
         for plan in plans:
             transformation = transformation_of(infos[plan.epoch.label].transformation)
+            beams = noise_of(plan.epoch, checksum)
             for tile in plan.tiles:
                 feedback.check()
                 feedback.progress(0.05 + 0.95 * done / count, f"reading {tile.path.name}")
                 cloud = read_points([tile], survey.crs, tiles_crs=plan.epoch.tiles_crs, is_cancelled=feedback.is_cancelled)
-                points = cloud.xyz + cloud.origin
-                yield plan.epoch.label, tile.path.name, points if transformation is None else transformation.apply(points)
+                places = [cloud.xyz + cloud.origin]
+                if beams is not None:
+                    places.append(beams.sensors(cloud.source_id, cloud.gps_time))
+                yield plan.epoch.label, tile.path.name, np.hstack([p if transformation is None else transformation.apply(p) for p in places])
                 done += 1
 
     folder = index_folder(result)
-    kept = write_index(folder, tiles(), np.array(centres).reshape(-1, 3), REACH_HEIGHTS * height)
+    noise = {e.label: (e.range_sd, math.radians(e.angle_sd)) for e in survey.epochs if e.range_sd is not None and e.angle_sd is not None}
+    kept = write_index(folder, tiles(), np.array(centres).reshape(-1, 3), REACH_HEIGHTS * height, noise=noise)
     feedback.info(f"{kept} points around {len(centres)} positions of units")
     return {"index": str(folder), "points": kept}
 
@@ -68,7 +75,8 @@ def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[
 def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, editor: str, seed: int = 0) -> dict[str, Any]:
     """Find the unit at a place shown by the user, adjust it and put the new pose into the result.
 
-    The shape (radius, gradient) stays that of the unit's rows, as in the run.
+    The shape (radius, gradient) stays that of the unit's rows, and points are weighted by beam where the index knows the sensor's
+    positions, as in the run.
 
     Parameters
     ----------
@@ -94,7 +102,10 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
         )
     unit = UnitType.tetrapod(shape["height"], radius=shape["r0"], gradient=shape["gradient"], leg_length=leg_length_of(epochs))
     place = np.asarray(near, dtype=np.float64)
-    points = PointIndex(index_folder(result)).read(epoch, place, REACH_HEIGHTS * unit.height) - place
+    index = PointIndex(index_folder(result))
+    noise, reach = index.noise(epoch), REACH_HEIGHTS * unit.height
+    points, sensors = index.read_with_sensors(epoch, place, reach) if noise is not None else (index.read(epoch, place, reach), None)
+    points = points - place
     found = segment(points, unit, seed=seed, workers=1)
     distance = [float(np.linalg.norm(detected.pose.centre)) for detected in found.units]
     if not distance or min(distance) > CLICK_HEIGHTS * unit.height:
@@ -105,7 +116,12 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
         )
     chosen = int(np.argmin(distance))
     detected = found.units[chosen]
-    fitted = adjust(points[found.labels == chosen], unit, detected.pose, options=AdjustmentOptions(radius_sd=0.0, gradient_sd=0.0))
+    own = found.labels == chosen
+    covariances = None
+    if noise is not None and sensors is not None:
+        covariances = surface_covariances(points[own], sensors[own] - place, *noise, ROUGHNESS_RATIO * unit.height)
+    options = AdjustmentOptions(radius_sd=0.0, gradient_sd=0.0)
+    fitted = adjust(points[own], unit, detected.pose, options=options, covariances=covariances)
     pose = fitted.pose.shifted(place)
     covariance = fitted.covariance[:6, :6] + _registration_covariance(info.transformation, pose)
     sd = np.sqrt(np.diag(covariance))

@@ -43,7 +43,7 @@ from .schema import LAYERS
 from .survey import Epoch, Survey
 from .tile_jobs import JobRunner, loaded_arrays, plan_blocks
 from .tiles import TileInfo, inspect_tile, read_points
-from .trajectory import BeamNoise, read_stations, read_trajectory
+from .trajectory import noise_of, read_stations, read_trajectory
 from .unit_types import UnitType
 
 if TYPE_CHECKING:
@@ -207,14 +207,14 @@ def find_and_fit(
     notes: dict[str, Any] = {}
     if calibrates:
         feedback.progress(share, "calibrating radius and gradient")
-        survey, shape_sds, notes = calibrate_shapes(survey, found, shape_sds, feedback)
+        survey, shape_sds, notes = calibrate_shapes(survey, found, shape_sds, record, feedback)
         found = segment_epochs(survey, plans, record, runner, feedback.part(share, 0.8), given)
         share = 0.8
     return fit_epochs(found, shape_sds, record, runner, feedback.part(share, 1)), notes
 
 
 def calibrate_shapes(
-    survey: Survey, epochs: Sequence[EpochUnits], shape_sds: tuple[tuple[float, float], ...], feedback: Feedback
+    survey: Survey, epochs: Sequence[EpochUnits], shape_sds: tuple[tuple[float, float], ...], record: RunRecord, feedback: Feedback
 ) -> tuple[Survey, tuple[tuple[float, float], ...], dict[str, Any]]:
     """Estimate radius and gradient of the types that ask for it.
 
@@ -224,7 +224,7 @@ def calibrate_shapes(
     Raises
     ------
     InputError
-        No unit shows enough of itself.
+        No unit shows enough of itself, or the sensor's position is not known for a point, where positions are given.
     """
     from .calibration import CALIBRATION_UNITS, calibrate
 
@@ -232,8 +232,10 @@ def calibrate_shapes(
     for kind, unit in enumerate(survey.units):
         if not unit.calibrate:
             continue
-        best: list[tuple[int, FloatArray, Pose]] = []
+        best: list[tuple[int, FloatArray, Pose, FloatArray | None]] = []
         for epoch in epochs:
+            beams = noise_of(epoch.plan.epoch, record.checksums.__getitem__)
+            covariances = epoch.covariances(beams) if beams is not None else None
             for row, points, _ in epoch.points():
                 feedback.check()
                 # a shape that is wrong yet weakens the evidence of good units: what is no unit shows as an outlier instead
@@ -241,9 +243,11 @@ def calibrate_shapes(
                     continue
                 pose = epoch.pose(row)
                 origin = np.round(pose.centre)
-                best.append((len(points), points - origin, pose.shifted(-origin)))
+                noise = covariances(row) if covariances is not None else None
+                best.append((len(points), points - origin, pose.shifted(-origin), noise))
                 best = sorted(best, key=lambda item: -item[0])[:CALIBRATION_UNITS]
-        result = calibrate([points for _, points, _ in best], unit.type, [pose for _, _, pose in best])
+        _, clouds, poses, noises = zip(*best, strict=True) if best else ((), (), (), ())
+        result = calibrate(clouds, unit.type, poses, covariances=noises)
         units[kind] = replace(unit, type=result.unit)
         sds[kind] = (float(result.between[0]), float(result.between[1]))
         used = int(result.used.sum())
@@ -282,7 +286,7 @@ def fit_epochs(
     """
     jobs = []
     for epoch in epochs:
-        beams = _beam_noise(epoch.plan.epoch, record)
+        beams = noise_of(epoch.plan.epoch, record.checksums.__getitem__)
         for number, path in enumerate(epoch.files):
             rows = tuple(int(row) for row in np.sort(epoch.places[epoch.places[:, 0] == number, 1]))
             jobs.append(FitJob(path, rows, epoch.units, shape_sds, beams))
@@ -293,15 +297,6 @@ def fit_epochs(
         arrays = [loaded_arrays(path) for path in own]
         result.append(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own, epoch.units))
     return tuple(result)
-
-
-def _beam_noise(epoch: Epoch, record: RunRecord) -> BeamNoise | None:
-    """Noise along and across the beams, where survey.toml gives the sensor's positions."""
-    if epoch.range_sd is None or epoch.angle_sd is None:
-        return None
-    files = [path for path in (epoch.trajectory, epoch.stations) if path is not None]
-    checksums = tuple(record.checksums[path] for path in files)
-    return BeamNoise(epoch.range_sd, math.radians(epoch.angle_sd), epoch.trajectory, epoch.stations, checksums)
 
 
 def write_result(path: str | Path, survey_crs: str, tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> None:

@@ -215,16 +215,16 @@ def test_white_noise_keeps_its_number_of_observations() -> None:
 def test_end_discs_are_used_where_they_are_planes_and_sharpen_the_pose() -> None:
     rng = np.random.default_rng(15)
     pose = random_pose(rng)
-    body, normals, _ = sample_surface(UNIT, 8000, rng)
-    # one leg from its end, and a part of the surface around it
-    seen = normals @ UNIT.leg_directions[0] > 0.05
+    body, _, legs = sample_surface(UNIT, 8000, rng)
+    # of one leg, the taper alone tells how far along its axis the centre lies
+    seen = legs == 0
     points = pose.to_frame(body[seen] + rng.normal(0, 0.005, (seen.sum(), 3)))
     start = pose.perturbed([0.03, 0.02, 0.01], [0.01, 0.02, 0.0])
     with_discs = adjust(points, UNIT, start, options=AdjustmentOptions(radius_sd=0, gradient_sd=0, edge=0.0))
     without = adjust(points, UNIT, start, options=AdjustmentOptions(radius_sd=0, gradient_sd=0, edge=0.0, end_discs=False))
     assert (with_discs.parts[with_discs.legs >= 0] == END_DISC).sum() > 100
     assert not (without.parts[without.legs >= 0] == END_DISC).any()
-    assert np.trace(with_discs.covariance[:3, :3]) < np.trace(without.covariance[:3, :3])
+    assert np.trace(with_discs.covariance[:3, :3]) < 0.9 * np.trace(without.covariance[:3, :3])
     assert distance(with_discs, pose)[0] < chi2.ppf(0.999, 6)
 
 
