@@ -232,7 +232,7 @@ def test_score_falls_for_what_no_unit_shows():
     assert score(weak, 1.0, typical) > FOUND_SCORE
     scattered, few, turned = weak.copy(), weak.copy(), weak.copy()
     scattered[RMS] = 0.75
-    few[[SUPPORT, CLOSE, REACHED]] = 12, 12, 12
+    few[[SUPPORT, CLOSE, CELLS, REACHED]] = 12, 12, 5, 12
     turned[SUPPORT] = 60
     assert all(score(row, 1.0, typical) < FOUND_SCORE for row in (scattered, few, turned))
 
