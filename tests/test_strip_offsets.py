@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
 from tetratrack.core.strip_offsets import JointAdjustment, UnitSighting, adjust_jointly
+from tetratrack.core.unit_clouds import UnitCloud
 
 
 def two_epochs(seed: int, spread: float, count: int = 600, noise: float = 0.012) -> tuple[list[UnitSighting], list[np.ndarray]]:
@@ -22,7 +23,7 @@ def two_epochs(seed: int, spread: float, count: int = 600, noise: float = 0.012)
             cloud = seen_from_above(pose, rng, count, noise, offsets[epoch][pair], roughness)
             start = pose.perturbed(rng.normal(0, 0.01, 3), rng.normal(0, 0.005, 3))
             sources = np.array(pair)[cloud.sources] + 1
-            sightings.append(UnitSighting(unit, epoch, start, cloud.points, sources, ALL_DISCS, UNIT))
+            sightings.append(UnitSighting(unit, epoch, start, UnitCloud.held(cloud.points, sources), ALL_DISCS, UNIT))
     return sightings, offsets
 
 
@@ -73,9 +74,9 @@ def test_moved_unit_keeps_its_motion() -> None:
     sightings, _ = two_epochs(2, spread=0.01)
     moved = sightings[5]
     shift = np.array([0.05, -0.02, 0.01])
-    sightings[5] = UnitSighting(
-        moved.unit, moved.epoch, moved.pose.shifted(shift), moved.points + shift, moved.sources, moved.discs, moved.shape
-    )
+    points, sources = moved.cloud.read()
+    cloud = UnitCloud.held(points + shift, sources)
+    sightings[5] = UnitSighting(moved.unit, moved.epoch, moved.pose.shifted(shift), cloud, moved.discs, moved.shape)
     vectors, _ = displacements(adjust_jointly(sightings))
     assert np.allclose(vectors[2], shift, atol=0.006)
     assert np.linalg.norm(np.delete(vectors, 2, axis=0), axis=1).max() < 0.01
@@ -93,10 +94,11 @@ def test_poses_of_an_undetermined_unit_do_not_spoil_the_rest() -> None:
     """A unit of which only a patch of one leg is seen has a large covariance, not a wrong small one."""
     sightings, _ = two_epochs(4, spread=0.01)
     first = sightings[0]
-    along = first.pose.to_body(first.points) @ UNIT.leg_directions.T
+    points, sources = first.cloud.read()
+    along = first.pose.to_body(points) @ UNIT.leg_directions.T
     leg = int(np.argmax(np.bincount(np.argmax(along, axis=1))))
     near = (np.argmax(along, axis=1) == leg) & (along[:, leg] < 1.2)
-    sightings[0] = UnitSighting(0, 0, first.pose, first.points[near], first.sources[near], np.zeros(4, dtype=np.bool_), UNIT)
+    sightings[0] = UnitSighting(0, 0, first.pose, UnitCloud.held(points[near], sources[near]), np.zeros(4, dtype=np.bool_), UNIT)
     joint = adjust_jointly(sightings)
     assert np.sqrt(np.diag(joint.covariances[0]))[:6].max() > 10 * np.sqrt(np.diag(joint.covariances[1]))[:6].max()
     vectors, _ = displacements(joint)

@@ -15,6 +15,7 @@ from tetratrack.core.pose import Pose
 from tetratrack.core.schema import LAYERS
 from tetratrack.core.tracking import FittedUnit, TrackedEpoch, Tracking, track
 from tetratrack.core.tracking_tables import TableOptions, cross_check_rows, displacement_rows, pair_rows, unit_names, velocity_rows
+from tetratrack.core.unit_clouds import UnitCloud
 
 MOVE = np.array([0.06, -0.03, -0.02])
 CREEP = np.array([0.02, 0.0, -0.01])
@@ -49,7 +50,7 @@ def tracked() -> tuple[Tracking, tuple[TrackedEpoch, ...], list[Pose], list[list
             seen = error.apply(cloud.points)
             start = error.apply_pose(placed).perturbed(rng.normal(0, 0.005, 3), rng.normal(0, 0.003, 3))
             relabelled = start.relabelled(UNIT.symmetries[rng.integers(12)])
-            units.append(FittedUnit(relabelled, UNIT, 0, True, ALL_DISCS, seen, cloud.sources + 1))
+            units.append(FittedUnit(relabelled, UNIT, 0, True, ALL_DISCS, UnitCloud.held(seen, cloud.sources + 1)))
             points.append(seen)
             names.append(k)
         epochs.append(TrackedEpoch(str(number), datetime(2020 + number, 1, 1, tzinfo=UTC), tuple(units), error, 15))
@@ -158,10 +159,7 @@ def test_without_points_the_fits_alone_are_tracked() -> None:
         TrackedEpoch(
             e.label,
             e.time,
-            tuple(
-                FittedUnit(u.pose, UNIT, 0, True, u.discs, np.empty((0, 3)), np.empty(0, dtype=np.int64), np.eye(6) * 0.005**2)
-                for u in e.units
-            ),
+            tuple(FittedUnit(u.pose, UNIT, 0, True, u.discs, UnitCloud.none(), np.eye(6) * 0.005**2) for u in e.units),
             e.registration,
         )
         for e in epochs
