@@ -275,6 +275,7 @@ class _JointSolver:
         for k, s in sorted(enumerate(self.sightings), key=lambda item: item[1].epoch):
             self.order[s.unit] = (*self.order.get(s.unit, ()), k)
         self.reading = by_home((unit, tuple(self.sightings[k].cloud for k in own)) for unit, own in self.order.items())
+        self.across = {shape: np.stack(across(shape)) for shape in {s.shape for s in self.sightings}}
         self.centres = [np.array(s.pose.centre) for s in self.sightings]
         self.rotations = [np.ascontiguousarray(s.pose.rotation) for s in self.sightings]
         self.scales = dict.fromkeys(self.order, 0.0)
@@ -295,13 +296,12 @@ class _JointSolver:
         grown = 1 + self.scales[s.unit]
         shape = np.array([unit.radius * grown, unit.gradient, unit.leg_length * grown])
         margin = 0.03 * unit.radius if math.isnan(noise) else max(1.5 * noise, 0.01 * unit.radius)
-        first, second = across(unit)
         points, sources = s.cloud.read()
         strips = np.zeros(0, dtype=np.int64) if not len(sources) else self.strips_of[number][np.searchsorted(s.cloud.ids, sources)]
         found = _Observations(np.zeros((len(points), 7)), np.zeros(len(points)), np.full(len(points), -1, dtype=np.int64), strips)
         _observe(
             np.ascontiguousarray(points, dtype=np.float64), strips, self.offsets, self.centres[number], self.rotations[number],
-            np.ascontiguousarray(unit.leg_directions), np.stack([first, second]), shape, np.asarray(s.discs, dtype=np.bool_), margin,
+            np.ascontiguousarray(unit.leg_directions), self.across[unit], shape, np.asarray(s.discs, dtype=np.bool_), margin,
             unit.leg_length * grown, found.rows, found.residuals, found.patches,
         )  # fmt: skip
         return found
