@@ -233,6 +233,8 @@ def adjusted_nearby(
 
 SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported")
 """Arrays of a block's units before adjustment, one row per unit."""
+POINT_ARRAYS = ("points", "sources", "times")
+"""Arrays of a job with one row per point; all others are small."""
 
 
 def unit_arrays(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,7 +17,7 @@ from .geopackage import upper_triangle
 from .pose import Pose
 from .run_record import RunRecord, software_version
 from .survey import Epoch
-from .tile_jobs import Block, load_arrays
+from .tile_jobs import Block, loaded_arrays
 from .tiles import TileInfo
 from .unit_types import UnitType
 
@@ -74,16 +74,34 @@ class EpochUnits:
         values = self.table["poses"][row]
         return Pose(values[:3], values[3:].reshape(3, 3))
 
+    def reader(self) -> Callable[[int], tuple[FloatArray, NDArray[np.uint16]]]:
+        """Reads (n, 3) absolute points and (n,) source ids of a unit by its row.
+
+        It holds one file at a time: units of one file are to be asked for one after the other.
+
+        Raises
+        ------
+        InputError
+            When reading, if a file is gone.
+        """
+        held: dict[int, Mapping[str, NDArray[Any]]] = {}
+
+        def read(row: int) -> tuple[FloatArray, NDArray[np.uint16]]:
+            number, place = self.places[row]
+            if number not in held:
+                held.clear()
+                held[number] = loaded_arrays(self.files[number])
+            arrays = held[number]
+            own = slice(arrays["offsets"][place], arrays["offsets"][place + 1])
+            return arrays["points"][own] + arrays["origin"], arrays["sources"][own]
+
+        return read
+
     def points(self) -> Iterator[tuple[int, FloatArray, NDArray[np.uint16]]]:
         """Row, (n, 3) absolute points and (n,) source ids of every unit, file by file."""
-        for number, path in enumerate(self.files):
-            rows = np.flatnonzero(self.places[:, 0] == number)
-            arrays = load_arrays(path) if len(rows) else None
-            if arrays is None:
-                continue
-            for row in rows:
-                own = slice(arrays["offsets"][self.places[row, 1]], arrays["offsets"][self.places[row, 1] + 1])
-                yield int(row), arrays["points"][own] + arrays["origin"], arrays["sources"][own]
+        read = self.reader()
+        for row in np.argsort(self.places[:, 0], kind="stable"):
+            yield int(row), *read(int(row))
 
 
 def unit_rows(epoch: EpochUnits, ids: Sequence[str]) -> list[Row]:

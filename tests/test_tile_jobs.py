@@ -16,7 +16,7 @@ from tetratrack.core.errors import Cancelled, InputError, OutputError, Tetratrac
 from tetratrack.core.gauss_helmert import AdjustmentOptions, adjust
 from tetratrack.core.pose import Pose
 from tetratrack.core.tetrapod import sample_surface
-from tetratrack.core.tile_jobs import JobRunner, job_key, load_arrays, plan_blocks, save_arrays
+from tetratrack.core.tile_jobs import JobRunner, job_key, load_arrays, loaded_arrays, plan_blocks, save_arrays
 from tetratrack.core.tiles import TileInfo, Window
 from tetratrack.core.unit_types import UnitType
 
@@ -143,6 +143,20 @@ def test_arrays_that_cannot_be_saved(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="cannot be written"):
         save_arrays(tmp_path / "none" / "a.npz", {"x": np.zeros(3)})
     assert load_arrays(tmp_path / "none.npz") is None
+
+
+def test_arrays_of_points_are_not_read_where_only_the_table_is_wanted(tmp_path: Path) -> None:
+    path = tmp_path / "a.npz"
+    save_arrays(path, {"poses": np.arange(3.0), "points": np.full((1000, 3), 7.0)})
+    content = bytearray(path.read_bytes())
+    content[content.index(np.full(1, 7.0).tobytes()) + 100] ^= 255
+    path.write_bytes(content)
+    assert load_arrays(path) is None
+    table = loaded_arrays(path, without=["points"])
+    assert list(table) == ["poses"]
+    assert table["poses"].tolist() == [0, 1, 2]
+    with pytest.raises(InputError, match="vanished"):
+        loaded_arrays(tmp_path / "none.npz")
 
 
 def _found(places: list[tuple[float, float]], scores: list[float]) -> dict:
