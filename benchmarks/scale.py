@@ -1,9 +1,10 @@
-"""A synthetic coast of 2, 4, 8 ... tiles of 50 units: throughput, peak memory of a worker, parallel efficiency.
+"""A synthetic coast of 2, 8, 32 and 64 tiles of 50 units: throughput, peak memory of a worker and of the parent, parallel efficiency.
 
-    python benchmarks/scale.py [--tiles 2 4 8 16 32 64] [--workers 1 2] [--folder DIR] [--density 500] [--json FILE]
+    python benchmarks/scale.py [--tiles 2 8 32 64] [--epochs 1] [--workers 1 2] [--folder DIR] [--density 500] [--json FILE]
 
 One simulated stretch of breakwater is repeated along the coast; every repetition is a tile. Each size runs ``tetratrack run`` in a
-process of its own. Wall-clock time depends on what else the machine does; processor time hardly does, so both are given.
+process of its own. Wall-clock time depends on what else the machine does; processor time hardly does, so both are given. Work is done
+by blocks, whose size decides the memory of a worker: their number is given, and a coast of one block is worked on without workers.
 """
 
 from __future__ import annotations
@@ -22,19 +23,21 @@ from typing import Any
 
 import laspy
 import numpy as np
+from tetratrack.core.survey import read_survey
 from tetratrack.core.virtual_survey import SimulationPlan, simulate_survey
+from tetratrack.core.workflow import plan_survey
 
 UNITS_PER_TILE = 50
 
 
-def stretch(folder: Path, density: float) -> Path:
-    """Simulate the stretch that is repeated: one epoch, wall along east."""
+def stretch(folder: Path, density: float, epochs: int) -> Path:
+    """Simulate the stretch that is repeated: wall along east."""
     plan = SimulationPlan(
         "stretch",
         "uav",
         UNITS_PER_TILE,
         2.3,
-        1,
+        epochs,
         8,
         density,
         crs="EPSG:32650",
@@ -46,20 +49,28 @@ def stretch(folder: Path, density: float) -> Path:
 
 
 def coast(source: Path, folder: Path, tiles: int) -> tuple[Path, int]:
-    """Repeat a stretch; returns survey.toml and the number of points."""
-    las = laspy.read(next(source.glob("tiles/*/*.laz")))
-    step = round((float(las.x.max()) - float(las.x.min())) / las.header.scales[0])
-    out = folder / "tiles" / "one"
-    out.mkdir(parents=True)
-    first = np.array(las.X)
-    for k in range(tiles):
-        las.X = first + k * step
-        las.write(str(out / f"coast_{k:03d}.laz"))
-    lines = (source / "survey.toml").read_text(encoding="utf-8").split("[[epoch]]")[0]
-    lines += '[[epoch]]\nlabel = "one"\ntime = 2024-04-09T02:30:00Z\ntiles = "tiles/one/*.laz"\n'
+    """Repeat a stretch; returns survey.toml and the number of points of all epochs."""
+    stretches = [laspy.read(path) for path in sorted(source.glob("tiles/*/*.laz"))]
+    length = max(float(las.x.max()) for las in stretches) - min(float(las.x.min()) for las in stretches)
+    step = round(length / stretches[0].header.scales[0])
+    text = (source / "survey.toml").read_text(encoding="utf-8").split("[[epoch]]")[0]
+    for number, las in enumerate(stretches):
+        label = f"epoch{number}"
+        out = folder / "tiles" / label
+        out.mkdir(parents=True)
+        first = np.array(las.X)
+        for k in range(tiles):
+            las.X = first + k * step
+            las.write(str(out / f"coast_{k:03d}.laz"))
+        text += f'[[epoch]]\nlabel = "{label}"\ntime = {2024 + number}-04-09T02:30:00Z\ntiles = "tiles/{label}/*.laz"\n'
     survey = folder / "survey.toml"
-    survey.write_text(lines, encoding="utf-8")
-    return survey, len(first) * tiles
+    survey.write_text(text, encoding="utf-8")
+    return survey, tiles * sum(len(las.X) for las in stretches)
+
+
+def blocks_of(survey: Path) -> int:
+    """Number of blocks of all epochs of a survey."""
+    return sum(len(plan.blocks) for plan in plan_survey(read_survey(survey)))
 
 
 class WorkerMemory(threading.Thread):
@@ -133,15 +144,17 @@ def run(survey: Path, output: Path, workers: int) -> dict[str, Any]:
 
 
 def found_units(result: Path) -> int:
-    """Units of a result that are stated as found."""
+    """Sightings of units in a result that count as found."""
     import pyogrio
 
-    return int((pyogrio.read_dataframe(result, layer="units", read_geometry=False)["status"] != "uncertain").sum())
+    states = pyogrio.read_dataframe(result, layer="units", read_geometry=False)["status"]
+    return int(states.isin(["found", "new", "relocated"]).sum())
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--tiles", nargs="+", type=int, default=[2, 4, 8, 16, 32, 64])
+    parser.add_argument("--tiles", nargs="+", type=int, default=[2, 8, 32, 64])
+    parser.add_argument("--epochs", type=int, default=1)
     parser.add_argument("--workers", nargs="+", type=int, default=[1, 2])
     parser.add_argument("--density", type=float, default=500, help="points per square metre, all lines together")
     parser.add_argument("--folder", type=Path, help="where the coast is made (default: a temporary folder)")
@@ -150,6 +163,7 @@ def main() -> None:
     rows: list[dict[str, Any]] = []
     columns = (
         "tiles",
+        "blocks",
         "units",
         "points",
         "workers",
@@ -166,20 +180,22 @@ def main() -> None:
     print("| --- " * len(columns) + "|")
     with tempfile.TemporaryDirectory(dir=options.folder) as name:
         work = Path(name)
-        source = stretch(work / "stretch", options.density)
+        source = stretch(work / "stretch", options.density, options.epochs)
         for tiles in options.tiles:
             folder = work / f"coast{tiles}"
             survey, points = coast(source, folder, tiles)
+            blocks = blocks_of(survey)
             alone: float | None = None
             for workers in options.workers:
                 r = run(survey, folder / f"result{workers}.gpkg", workers)
                 alone = r["seconds"] if workers == 1 else alone
-                units = tiles * UNITS_PER_TILE
-                r |= {"tiles": tiles, "true_units": units, "points": points, "workers": workers}
+                units = tiles * UNITS_PER_TILE * options.epochs
+                r |= {"tiles": tiles, "blocks": blocks, "true_units": units, "points": points, "workers": workers}
                 rows.append(r)
                 rates = (points / r["seconds"], units / r["seconds"], 1e6 * r["cpu"] / points, r["worker_gib"], r["parent_gib"])
                 cells = [
                     tiles,
+                    blocks,
                     units,
                     points,
                     workers,

@@ -34,6 +34,8 @@ RADIUS_TOLERANCE, GRADIENT_TOLERANCE = 0.01, 0.01
 """Standard deviation of a unit's radius (relative) and gradient about the nominal shape, as prior observations."""
 NEARBY_HEIGHTS = 0.25
 """An adjustment that moves the centre farther has found something else: segmented poses are good to a few hundredths."""
+DISC_USES: tuple[bool | Literal["auto"], ...] = ("auto", True)
+"""How end discs are used by an adjustment, and by the next one if that finds something else."""
 ROUGHNESS_RATIO = 0.0015
 """Standard deviation of a unit's surface about its four cones as a share of its height, where beams are known: 3.5 mm at 2.3 m."""
 
@@ -170,7 +172,7 @@ class FitJob:
             if self.beams is not None:
                 covariances = covariances_of(source, own, self.beams, unit)
             try:
-                result = _adjusted_nearby(points, unit, _pose(table["poses"][k]), options, covariances)
+                result = adjusted_nearby(points, unit, _pose(table["poses"][k]), options, covariances)
             except InputError:
                 # too little is seen of it for an adjustment: it stays as segmented, as uncertain evidence without covariance
                 table["status"][k] = "uncertain"
@@ -204,7 +206,7 @@ class FitJob:
         }
 
 
-def _adjusted_nearby(
+def adjusted_nearby(
     points: FloatArray, unit: UnitType, pose: Pose, options: AdjustmentOptions, covariances: FloatArray | None
 ) -> Adjustment:
     """Adjustment of a unit that stays where the segmentation found it.
@@ -218,9 +220,11 @@ def _adjusted_nearby(
     """
     from .gauss_helmert import adjust
 
-    discs: tuple[bool | Literal["auto"], ...] = ("auto", True)
-    for end_discs in discs:
-        result = adjust(points, unit, pose, options=replace(options, end_discs=end_discs), covariances=covariances)
+    for end_discs in DISC_USES:
+        try:
+            result = adjust(points, unit, pose, options=replace(options, end_discs=end_discs), covariances=covariances)
+        except InputError:
+            continue
         if np.linalg.norm(result.pose.centre - pose.centre) < NEARBY_HEIGHTS * unit.height:
             return result
     raise InputError("no adjustment stays near the pose that was found", remedy="Check the points of the unit.")
@@ -228,6 +232,8 @@ def _adjusted_nearby(
 
 SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported")
 """Arrays of a block's units before adjustment, one row per unit."""
+POINT_ARRAYS = ("points", "sources", "times")
+"""Arrays of a job with one row per point; all others are small."""
 
 
 def unit_arrays(

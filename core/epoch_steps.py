@@ -23,6 +23,7 @@ from .result_rows import covariance_fields, feature_rows
 from .survey import SECTIONS
 from .tracking import FittedUnit, TrackedEpoch, track
 from .tracking_tables import TableOptions, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
+from .unit_clouds import UnitCloud
 from .unit_types import UnitType
 from .workflow import Feedback, crs_of_layer, read_units, state_quality, write_result
 
@@ -271,7 +272,7 @@ def _fitted_epoch(
         found.append(
             FittedUnit(
                 transformation.apply_pose(pose).shifted(-origin), kinds[names[kind]], kind, row.get("status") != "uncertain",
-                np.zeros(4, dtype=np.bool_), np.empty((0, 3)), np.empty(0, dtype=np.uint16), covariance,
+                np.zeros(4, dtype=np.bool_), UnitCloud.none(), covariance,
             )
         )  # fmt: skip
     placed = None if registration is None else replace(registration, origin_to=registration.origin_to - origin)

@@ -18,7 +18,7 @@ IntArray = NDArray[np.int64]
 class Grid:
     """Points sorted into cubic cells: cell k holds ``order[start[k]:start[k + 1]]``, in ascending order."""
 
-    start: IntArray
+    start: NDArray[np.int32]
     order: IntArray
     origin: FloatArray
     size: IntArray
@@ -39,9 +39,30 @@ def build_grid(points: FloatArray, cell: float, most_cells: int = 20_000_000) ->
     size = (np.floor(extent / cell) + 1).astype(np.int64)
     key = np.minimum(np.floor((points - origin) / cell).astype(np.int64), size - 1)
     flat = (key[:, 0] * size[1] + key[:, 1]) * size[2] + key[:, 2]
-    order = np.argsort(flat, kind="stable").astype(np.int64)
-    start = np.concatenate([[0], np.cumsum(np.bincount(flat, minlength=int(np.prod(size))))]).astype(np.int64)
+    start, order = _sorted_into_cells(flat, int(np.prod(size)))
     return Grid(start, order, origin, size, float(cell))
+
+
+@kernel()
+def _sorted_into_cells(cell: Any, cells: int) -> Any:
+    """Where every cell begins in the order of the points, and that order, ascending within a cell.
+
+    Cells are many more than points, and their table is most of what a block needs: one array, of four bytes a cell.
+    """
+    start = np.zeros(cells + 1, dtype=np.int32)
+    for i in range(len(cell)):
+        start[cell[i] + 1] += 1
+    for k in range(cells):
+        start[k + 1] += start[k]
+    order = np.empty(len(cell), dtype=np.int64)
+    for i in range(len(cell)):
+        order[start[cell[i]]] = i
+        start[cell[i]] += 1
+    # every cell now begins where it ends
+    for k in range(cells, 0, -1):
+        start[k] = start[k - 1]
+    start[0] = 0
+    return start, order
 
 
 @kernel()

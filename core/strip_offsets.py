@@ -9,12 +9,15 @@ its deviation over the epochs, so that it does not pass into displacements, and 
 independent. Patches and poses are eliminated from the normal equations unit by unit (Foerstner and Wrobel, 2016, Photogrammetric
 Computer Vision, 15.3), which leaves a small system of the offsets alone. Offsets are pseudo-observed as zero with a standard
 deviation: an offset common to all sources of an epoch cannot be told from a shift of the cloud, and stays in the registration.
+
+Points are read anew for every look at them, and what is kept of a unit is its reduced normal equations: memory does not grow with the
+number of points.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,6 +26,8 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from .pose import Pose
+from .streamed_median import StreamedMedian
+from .unit_clouds import UnitCloud, by_home
 from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
@@ -53,10 +58,8 @@ class UnitSighting:
         Index of the epoch.
     pose
         Approximate pose, legs numbered alike in all epochs; metres, any frame common to all sightings less a reduction point.
-    points
-        (n, 3) the unit's points in that frame.
-    sources
-        (n,) flight strip or station of each point.
+    cloud
+        The unit's points in that frame, with the flight strip or station of each.
     discs
         (4,) whether the end of the leg is a plane that may be used.
     shape
@@ -66,8 +69,7 @@ class UnitSighting:
     unit: int
     epoch: int
     pose: Pose
-    points: FloatArray
-    sources: NDArray[np.integer]
+    cloud: UnitCloud
     discs: BoolArray
     shape: UnitType
 
@@ -232,6 +234,28 @@ def adjust_jointly(
     return solver.solve()
 
 
+@dataclass(frozen=True, eq=False)
+class _Observations:
+    """Points of one sighting as observations at the present estimates.
+
+    Attributes
+    ----------
+    rows
+        (n, 7) derivatives of the distances by pose and scale.
+    residuals
+        (n,) distances, metres.
+    patches
+        (n,) patch of the surface; -1 for points that are left out.
+    strips
+        (n,) number of the strip or station.
+    """
+
+    rows: FloatArray
+    residuals: FloatArray
+    patches: IntArray
+    strips: IntArray
+
+
 class _JointSolver:
     """State of the joint adjustment."""
 
@@ -241,92 +265,107 @@ class _JointSolver:
         self.offset_sd = offset_sd
         self.epochs = 1 + max((s.epoch for s in sightings), default=-1)
         self.strips: dict[tuple[int, int], int] = {}
-        self.strip_of: list[IntArray] = []
-        for s in self.sightings:
-            ids, inverse = np.unique(s.sources, return_inverse=True)
-            numbers = np.array([self.strips.setdefault((s.epoch, int(i)), len(self.strips)) for i in ids], dtype=np.int64)
-            self.strip_of.append(numbers[inverse] if len(ids) else np.zeros(0, dtype=np.int64))
+        self.strips_of = [
+            np.array([self.strips.setdefault((s.epoch, int(i)), len(self.strips)) for i in s.cloud.ids], dtype=np.int64)
+            for s in self.sightings
+        ]
         self.offsets = np.zeros((max(len(self.strips), 1), 3))
         self.strip_epoch = np.array([epoch for epoch, _ in self.strips], dtype=np.int64)
         self.order: dict[int, tuple[int, ...]] = {}
         for k, s in sorted(enumerate(self.sightings), key=lambda item: item[1].epoch):
             self.order[s.unit] = (*self.order.get(s.unit, ()), k)
+        self.reading = by_home((unit, tuple(self.sightings[k].cloud for k in own)) for unit, own in self.order.items())
+        self.across = {shape: np.stack(across(shape)) for shape in {s.shape for s in self.sightings}}
         self.centres = [np.array(s.pose.centre) for s in self.sightings]
         self.rotations = [np.ascontiguousarray(s.pose.rotation) for s in self.sightings]
         self.scales = dict.fromkeys(self.order, 0.0)
         self.noise = np.full(max(self.epochs, 1), math.nan)
         self.surface_sd = 0.0
-        self.rows = [np.zeros((len(s.points), 7)) for s in self.sightings]
-        self.residuals = [np.zeros(len(s.points)) for s in self.sightings]
-        self.patches = [np.full(len(s.points), -1, dtype=np.int64) for s in self.sightings]
-        self.xyz = [np.ascontiguousarray(s.points, dtype=np.float64) for s in self.sightings]
         self.used = np.zeros(len(self.sightings), dtype=np.int64)
 
-    def observe(self) -> None:
-        for k, s in enumerate(self.sightings):
-            unit = s.shape
-            grown = 1 + self.scales[s.unit]
-            shape = np.array([unit.radius * grown, unit.gradient, unit.leg_length * grown])
-            noise = self.noise[s.epoch]
-            margin = 0.03 * unit.radius if math.isnan(noise) else max(1.5 * noise, 0.01 * unit.radius)
-            first, second = across(unit)
-            _observe(
-                self.xyz[k], self.strip_of[k], self.offsets, self.centres[k], self.rotations[k], np.ascontiguousarray(unit.leg_directions),
-                np.stack([first, second]), shape, np.asarray(s.discs, dtype=np.bool_), margin, unit.leg_length * grown, self.rows[k],
-                self.residuals[k], self.patches[k],
-            )  # fmt: skip
+    def observed(self, noise: FloatArray) -> Iterator[tuple[int, list[_Observations]]]:
+        """Every unit with its observations by sighting, in the order in which they are read with least effort; ``noise`` by epoch sets how
+        near to a crease points are left out.
+        """
+        for unit in self.reading:
+            yield unit, [self.observe(k, float(noise[self.sightings[k].epoch])) for k in self.order[unit]]
+
+    def observe(self, number: int, noise: float) -> _Observations:
+        s = self.sightings[number]
+        unit = s.shape
+        grown = 1 + self.scales[s.unit]
+        shape = np.array([unit.radius * grown, unit.gradient, unit.leg_length * grown])
+        margin = 0.03 * unit.radius if math.isnan(noise) else max(1.5 * noise, 0.01 * unit.radius)
+        points, sources = s.cloud.read()
+        strips = np.zeros(0, dtype=np.int64) if not len(sources) else self.strips_of[number][np.searchsorted(s.cloud.ids, sources)]
+        found = _Observations(np.zeros((len(points), 7)), np.zeros(len(points)), np.full(len(points), -1, dtype=np.int64), strips)
+        _observe(
+            np.ascontiguousarray(points, dtype=np.float64), strips, self.offsets, self.centres[number], self.rotations[number],
+            np.ascontiguousarray(unit.leg_directions), self.across[unit], shape, np.asarray(s.discs, dtype=np.bool_), margin,
+            unit.leg_length * grown, found.rows, found.residuals, found.patches,
+        )  # fmt: skip
+        return found
 
     def estimate_noise(self) -> None:
         """Noise by epoch from residuals less their patch's median; spread of the patches beyond what noise explains."""
-        within: list[list[FloatArray]] = [[] for _ in range(self.epochs)]
-        means: list[FloatArray] = []
-        expected: list[FloatArray] = []
-        for k, s in enumerate(self.sightings):
-            good = self.patches[k] >= 0
-            if good.sum() < 10:
-                continue
-            e, p = self.residuals[k][good], self.patches[k][good]
-            limit = 6 * 1.4826 * np.median(np.abs(e))
-            keep = np.abs(e) < limit
-            e, p = e[keep], p[keep]
-            counts = np.bincount(p, minlength=4 * LEG_PATCHES)
-            sums = np.bincount(p, e, minlength=4 * LEG_PATCHES)
-            mean = sums / np.maximum(counts, 1)
-            full = counts >= 4
-            inside = full[p]
-            within[s.epoch].append((e - mean[p])[inside] * np.sqrt(counts[p] / np.maximum(counts[p] - 1, 1))[inside])
-            means.append(mean[full])
-            expected.append(1 / counts[full])
-        for epoch, parts in enumerate(within):
-            pooled = np.concatenate(parts) if parts else np.zeros(0)
-            if len(pooled):
-                self.noise[epoch] = 1.4826 * float(np.median(np.abs(pooled)))
-        if means:
-            spread, share = np.concatenate(means), np.concatenate(expected)
+        before = self.noise.copy()
+        within = [StreamedMedian() for _ in range(self.epochs)]
+        spread, share = StreamedMedian(), StreamedMedian()
+        settled = False
+        while not settled:
+            for unit, sightings in self.observed(before):
+                for k, seen in zip(self.order[unit], sightings, strict=True):
+                    self._add_deviations(seen, within[self.sightings[k].epoch], spread, share)
+            # every one has to be asked: the answer is what makes it look closer
+            settled = {median.settled() for median in (*within, spread, share)} == {True}
+        for epoch, median in enumerate(within):
+            if not math.isnan(median.value):
+                self.noise[epoch] = 1.4826 * median.value
+        if not math.isnan(spread.value):
             noise = float(np.nanmedian(self.noise))
-            robust = (1.4826 * float(np.median(np.abs(spread)))) ** 2
-            self.surface_sd = math.sqrt(max(robust - noise**2 * float(np.median(share)), (0.05 * noise) ** 2))
+            robust = (1.4826 * spread.value) ** 2
+            self.surface_sd = math.sqrt(max(robust - noise**2 * share.value, (0.05 * noise) ** 2))
 
-    def equations(self, unit: int) -> tuple[FloatArray, FloatArray, IntArray]:
+    @staticmethod
+    def _add_deviations(seen: _Observations, within: StreamedMedian, spread: StreamedMedian, share: StreamedMedian) -> None:
+        """Deviations of one sighting's points from the means of their patches, of these means from the cones, and one over the points of
+        each patch.
+        """
+        good = seen.patches >= 0
+        if good.sum() < 10:
+            return
+        e, p = seen.residuals[good], seen.patches[good]
+        keep = np.abs(e) < 6 * 1.4826 * np.median(np.abs(e))
+        e, p = e[keep], p[keep]
+        counts = np.bincount(p, minlength=4 * LEG_PATCHES)
+        sums = np.bincount(p, e, minlength=4 * LEG_PATCHES)
+        mean = sums / np.maximum(counts, 1)
+        full = counts >= 4
+        inside = full[p]
+        within.add(np.abs((e - mean[p])[inside] * np.sqrt(counts[p] / np.maximum(counts[p] - 1, 1))[inside]))
+        spread.add(np.abs(mean[full]))
+        share.add(1 / counts[full])
+
+    def equations(self, unit: int, sightings: Sequence[_Observations]) -> tuple[FloatArray, FloatArray, IntArray]:
         """Normal equations of one unit after elimination of its patches: poses, scale, then its strips (global numbers returned)."""
         members = self.order[unit]
-        touched = np.unique(np.concatenate([self.strip_of[k] for k in members]))
+        touched = np.unique(np.concatenate([self.strips_of[k] for k in members]))
         n_pose = 6 * len(members)
         size = n_pose + 1 + 3 * len(touched)
         normal, rhs = np.zeros((size, size)), np.zeros(size)
         patch_rows, patch_weight, patch_rhs = np.zeros((4 * LEG_PATCHES, size)), np.zeros(4 * LEG_PATCHES), np.zeros(4 * LEG_PATCHES)
-        for body, k in enumerate(members):
-            local = np.searchsorted(touched, self.strip_of[k])
+        for body, (k, seen) in enumerate(zip(members, sightings, strict=True)):
+            local = np.searchsorted(touched, seen.strips)
             sigma = float(math.hypot(self.noise[self.sightings[k].epoch], self.surface_sd))
             self.used[k], _ = _accumulate(
-                self.rows[k], self.residuals[k], self.patches[k], local, body, self.noise[self.sightings[k].epoch],
+                seen.rows, seen.residuals, seen.patches, local, body, self.noise[self.sightings[k].epoch],
                 TUKEY_CONSTANT * sigma / self.noise[self.sightings[k].epoch], normal, rhs, patch_rows, patch_weight, patch_rhs, n_pose,
             )  # fmt: skip
         total = patch_weight + 1 / self.surface_sd**2
-        seen = patch_weight > 0
-        weighted = patch_rows[seen] / total[seen, None]
-        normal -= patch_rows[seen].T @ weighted
-        rhs -= weighted.T @ patch_rhs[seen]
+        seen_patches = patch_weight > 0
+        weighted = patch_rows[seen_patches] / total[seen_patches, None]
+        normal -= patch_rows[seen_patches].T @ weighted
+        rhs -= weighted.T @ patch_rhs[seen_patches]
         normal[n_pose, n_pose] += 1 / self.scale_sd**2
         rhs[n_pose] -= self.scales[unit] / self.scale_sd**2
         return normal, rhs, touched
@@ -340,10 +379,11 @@ class _JointSolver:
         if not self.sightings:
             return JointAdjustment((), {}, {}, {}, {}, {}, self.noise, 0.0, self.used)
         for iteration in range(MAX_ITERATIONS):
-            self.observe()
+            before = self.noise.copy()
             if iteration < 4:
                 self.estimate_noise()
-            blocks, reduced, reduced_rhs = self.reduce()
+            # the noise is known better by now, but it must judge the points that it was estimated from
+            blocks, reduced, reduced_rhs = self.reduce(before)
             cofactor = np.asarray(np.linalg.inv(reduced), dtype=np.float64)
             shift = cofactor @ reduced_rhs
             self.offsets += shift.reshape(-1, 3)
@@ -362,8 +402,8 @@ class _JointSolver:
                 break
         return self.result(blocks, cofactor)
 
-    def reduce(self) -> tuple[dict[int, tuple[FloatArray, FloatArray, FloatArray, IntArray]], FloatArray, FloatArray]:
-        """Eliminate the units: their blocks, and normal matrix and right-hand side of the offsets."""
+    def reduce(self, noise: FloatArray) -> tuple[dict[int, tuple[FloatArray, FloatArray, FloatArray, IntArray]], FloatArray, FloatArray]:
+        """Eliminate the units, observed with the ``noise`` by epoch: their blocks, and normal matrix and right-hand side of the offsets."""
         count = 3 * len(self.offsets)
         weights = self.offset_prior()
         prior = np.diag(weights)
@@ -375,8 +415,8 @@ class _JointSolver:
         reduced = prior.copy()
         reduced_rhs = -prior @ self.offsets.ravel()
         blocks = {}
-        for unit in self.order:
-            normal, rhs, touched = self.equations(unit)
+        for unit, sightings in self.observed(noise):
+            normal, rhs, touched = self.equations(unit, sightings)
             own = 6 * len(self.order[unit]) + 1
             inverse = _inverse(normal[:own, :own], self.sightings[self.order[unit][0]].shape.leg_length)
             coupling = normal[:own, own:]

@@ -17,7 +17,7 @@ import os
 import signal
 import threading
 import zipfile
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
@@ -164,24 +164,24 @@ def save_arrays(path: Path, arrays: Arrays) -> None:
         ) from error
 
 
-def load_arrays(path: Path) -> dict[str, NDArray[Any]] | None:
-    """Arrays of a finished job; None where there is no file or it is damaged."""
+def load_arrays(path: Path, without: Collection[str] = ()) -> dict[str, NDArray[Any]] | None:
+    """Arrays of a finished job but those named in ``without``; None where there is no file or what is read of it is damaged."""
     try:
         with np.load(path, allow_pickle=False) as archive:
-            return {name: archive[name] for name in archive.files}
+            return {name: archive[name] for name in archive.files if name not in without}
     except (FileNotFoundError, zipfile.BadZipFile, ValueError, EOFError, KeyError, OSError):
         return None
 
 
-def loaded_arrays(path: Path) -> dict[str, NDArray[Any]]:
-    """Arrays of a job that is done.
+def loaded_arrays(path: Path, without: Collection[str] = ()) -> dict[str, NDArray[Any]]:
+    """Arrays of a job that is done; those named in ``without`` are not read.
 
     Raises
     ------
     InputError
         Its file is gone.
     """
-    arrays = load_arrays(path)
+    arrays = load_arrays(path, without)
     if arrays is None:
         raise InputError("vanished while the run was using it", source=path, remedy="Run again, and leave the folder alone meanwhile.")
     return arrays

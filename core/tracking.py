@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
-from itertools import combinations, product
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,7 +36,8 @@ from .identity import FoundUnits, Track, identify
 from .pose import Pose
 from .presence import look_up
 from .strip_offsets import JointAdjustment, UnitSighting, adjust_jointly
-from .surface_texture import likeness, texture
+from .surface_texture import Texture, likeness, texture
+from .unit_clouds import UnitCloud, by_home
 from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
@@ -44,6 +45,12 @@ IntArray = NDArray[np.int64]
 
 DATUMS = ("stable", "control")
 MIN_RECOVERED_POINTS = 60
+LOOK_UP_REACHES = 1.35
+"""Distance from a missing unit's centre, in reaches of a unit, in which its place is looked at."""
+RELIEFS_HELD = 64
+"""Lost units whose relief is compared with that of all new ones at a time."""
+SAME_POINT = 1e-4
+"""Distance in metres below which a point of the cloud is the point of a unit."""
 DOUBTFUL_MOVE_HEIGHTS = 0.2
 """Motion above which another unit fits into the place."""
 RECOVERED_SCORE = 0.8
@@ -62,8 +69,8 @@ class FittedUnit:
         False for weak evidence.
     discs
         (4,) legs whose end disc was used.
-    points, sources
-        (n, 3), (n,) its points and their strips or stations; none where only the fit is known.
+    cloud
+        Its points and their strips or stations; none where only the fit is known.
     covariance
         (6, 6) of the fitted pose, used where there are no points or nothing ties the units.
     score
@@ -77,8 +84,7 @@ class FittedUnit:
     kind: int
     certain: bool
     discs: NDArray[np.bool_]
-    points: FloatArray
-    sources: NDArray[np.integer]
+    cloud: UnitCloud
     covariance: FloatArray | None = None
     score: float = 1.0
     n_points: int = 0
@@ -282,46 +288,46 @@ def _look_for_missing(
                 states[unit][epoch] = "hidden"
     if surroundings is None:
         return states, recovered
-    reach = max(u.reach for u in units) * 1.35
-    clouds: dict[int, tuple[FloatArray, NDArray[np.integer], cKDTree]] = {}
-
-    def cloud(epoch: int, places: FloatArray) -> tuple[FloatArray, NDArray[np.integer], cKDTree]:
-        if epoch not in clouds:
-            points, sources = surroundings(epoch, places, reach)
-            clouds[epoch] = points, sources, cKDTree(points)
-        return clouds[epoch]
-
-    needed: dict[int, list[FloatArray]] = {}
-    for epoch, items in wanted.items():
-        for unit, reference in items:
-            centre = seen[unit][reference].pose.centre
-            needed.setdefault(epoch, []).append(centre + shifts[epoch] - shifts[reference])
-            needed.setdefault(reference, []).append(centre)
+    reach = max(u.reach for u in units) * LOOK_UP_REACHES
     for epoch, items in sorted(wanted.items()):
-        points, sources, tree = cloud(epoch, np.array(needed[epoch]))
-        taken = [u.points for u in epochs[epoch].units if u.certain]
-        owned = cKDTree(np.vstack(taken)) if taken else None
+        owners = [u for u in epochs[epoch].units if u.certain]
+        owner_tree = cKDTree(np.array([u.pose.centre for u in owners]).reshape(-1, 3))
+        # units of one home lie together: their surroundings are read together, and no more than these at a time
+        homes: dict[tuple[int, ...], list[tuple[int, int]]] = {}
         for unit, reference in items:
-            known = seen[unit][reference]
+            homes.setdefault((reference, *seen[unit][reference].cloud.home), []).append((unit, reference))
+        for (reference, *_), group in sorted(homes.items()):
             move = shifts[epoch] - shifts[reference]
-            pose = known.pose.shifted(move)
-            now = np.array(tree.query_ball_point(pose.centre, reach), dtype=np.int64)
-            other, _, other_tree = cloud(reference, np.array(needed[reference]))
-            before = other[other_tree.query_ball_point(known.pose.centre, reach)] + move
-            tolerance = 0.025 * known.shape.height
-            presence = look_up(known.points + move, pose, known.shape, before, points[now], tolerance)
-            states[unit][epoch] = presence.state
-            if presence.state != "there":
-                continue
-            index = now[presence.points]
-            if owned is not None and len(index):
-                index = index[owned.query(points[index])[0] > 1e-4]
-            if len(index) < MIN_RECOVERED_POINTS:
-                states[unit][epoch] = "hidden"
-                continue
-            sighting = replace(known, pose=pose, points=points[index], sources=sources[index])
-            recovered.append((unit, epoch, sighting))
+            centres = np.array([seen[unit][reference].pose.centre for unit, _ in group])
+            points, sources = surroundings(epoch, centres + move, reach)
+            other, _ = surroundings(reference, centres, reach)
+            tree, other_tree = cKDTree(points), cKDTree(other)
+            for unit, _ in group:
+                known = seen[unit][reference]
+                pose = known.pose.shifted(move)
+                now = np.sort(np.array(tree.query_ball_point(pose.centre, reach), dtype=np.int64))
+                before = other[other_tree.query_ball_point(known.pose.centre, reach)] + move
+                tolerance = 0.025 * known.shape.height
+                presence = look_up(known.cloud.read()[0] + move, pose, known.shape, before, points[now], tolerance)
+                states[unit][epoch] = presence.state
+                if presence.state != "there":
+                    continue
+                near = [owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * reach)]
+                index = _left_by(near, points, now[presence.points])
+                if len(index) < MIN_RECOVERED_POINTS:
+                    states[unit][epoch] = "hidden"
+                    continue
+                recovered.append((unit, epoch, replace(known, pose=pose, cloud=UnitCloud.held(points[index], sources[index]))))
     return states, recovered
+
+
+def _left_by(owners: Sequence[FittedUnit], points: FloatArray, index: IntArray) -> IntArray:
+    """Those of the indices whose points belong to none of the units."""
+    for owner in sorted(owners, key=lambda u: u.cloud.home):
+        own, _ = owner.cloud.read()
+        if len(own) and len(index):
+            index = index[cKDTree(own).query(points[index])[0] > SAME_POINT]
+    return index
 
 
 @dataclass(frozen=True, eq=False)
@@ -411,18 +417,27 @@ def _recognised(left: dict[int, FittedUnit], came: dict[int, FittedUnit]) -> lis
     """Pairs of a unit that left its place and one that came to another, proved by their relief, with the symmetry of the second."""
     if not left or not came:
         return []
-    textures = [{k: texture(s.points, s.sources, s.pose, s.shape) for k, s in units.items()} for units in (left, came)]
     found = []
-    for old, new in product(left, came):
-        if left[old].kind == came[new].kind:
-            match = likeness(textures[0][old], textures[1][new], left[old].shape)
-            if match.same_unit:
-                found.append((match.lead, old, new, match.symmetry))
+    lost, arrived = (by_home((k, (s.cloud,)) for k, s in units.items()) for units in (left, came))
+    for first in range(0, len(lost), RELIEFS_HELD):
+        reliefs = {old: _relief_of(left[old]) for old in lost[first : first + RELIEFS_HELD]}
+        for new in arrived:
+            relief = _relief_of(came[new])
+            for old in reliefs:
+                if left[old].kind == came[new].kind:
+                    match = likeness(reliefs[old], relief, left[old].shape)
+                    if match.same_unit:
+                        found.append((match.lead, old, new, match.symmetry))
     pairs: list[tuple[int, int, FloatArray]] = []
     for _, old, new, symmetry in sorted(found, key=lambda item: -item[0]):
         if all(old != a and new != b for a, b, _ in pairs):
             pairs.append((old, new, symmetry))
     return pairs
+
+
+def _relief_of(unit: FittedUnit) -> Texture:
+    points, sources = unit.cloud.read()
+    return texture(points, sources, unit.pose, unit.shape)
 
 
 def _adjust(seen: Sequence[dict[int, FittedUnit]]) -> tuple[JointAdjustment, dict[tuple[int, int], int]]:
@@ -433,11 +448,11 @@ def _adjust(seen: Sequence[dict[int, FittedUnit]]) -> tuple[JointAdjustment, dic
         for epoch in sorted(own):
             s = own[epoch]
             numbers[unit, epoch] = len(sightings)
-            sightings.append(UnitSighting(unit, epoch, s.pose, s.points, s.sources, s.discs, s.shape))
+            sightings.append(UnitSighting(unit, epoch, s.pose, s.cloud, s.discs, s.shape))
     # one epoch from one station has neither offsets nor surfaces seen twice: nothing ties its units, and their own fits stand
-    tied = any(len(own) > 1 for own in seen) or len({(s.epoch, int(k)) for s in sightings for k in np.unique(s.sources)}) > 1
+    tied = any(len(own) > 1 for own in seen) or len({(s.epoch, int(k)) for s in sightings for k in s.cloud.ids}) > 1
     fitted = all(unit.covariance is not None for own in seen for unit in own.values())
-    if any(len(s.points) for s in sightings) and (tied or not fitted):
+    if any(s.cloud.count for s in sightings) and (tied or not fitted):
         return adjust_jointly(sightings), numbers
     return _as_fitted(seen, numbers), numbers
 
@@ -564,10 +579,10 @@ def _cross_checks(
     """Displacements of all units between consecutive epochs by direct registration of their points."""
     checks = {}
     for first, second in zip(range(epochs - 1), range(1, epochs), strict=True):
-        for unit, own in enumerate(seen):
-            if first not in own or second not in own or not (own[first].certain or own[second].certain):
-                continue
-            if not (len(own[first].points) and len(own[second].points)):
+        both = [k for k, own in enumerate(seen) if first in own and second in own and (own[first].certain or own[second].certain)]
+        for unit in by_home((k, (seen[k][first].cloud, seen[k][second].cloud)) for k in both):
+            own = seen[unit]
+            if not (own[first].cloud.count and own[second].cloud.count):
                 continue
             noise = float(np.nanmax(joint.noise[[first, second]]))
             a, b = numbers[unit, first], numbers[unit, second]
@@ -582,8 +597,9 @@ def _cross_checks(
 
 def _without_offsets(unit: FittedUnit, epoch: int, joint: JointAdjustment) -> FloatArray:
     """(n, 3) points less the offset of their strip or station."""
-    ids, place = np.unique(unit.sources, return_inverse=True)
-    return np.asarray(unit.points - np.array([joint.offsets[epoch, int(i)] for i in ids])[place])
+    points, sources = unit.cloud.read()
+    offsets = np.array([joint.offsets[epoch, int(i)] for i in unit.cloud.ids])
+    return np.asarray(points - offsets[np.searchsorted(unit.cloud.ids, sources)])
 
 
 def _joint_block(joint: JointAdjustment, unit: int, first: int, second: int) -> FloatArray:

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .block_jobs import GRADIENT_TOLERANCE, RADIUS_TOLERANCE, FitJob, SegmentJob, owners
+from .block_jobs import GRADIENT_TOLERANCE, POINT_ARRAYS, RADIUS_TOLERANCE, FitJob, SegmentJob, owners
 from .crs import LOCAL
 from .errors import Cancelled, InputError, OutputError
 from .feature_points import FEATURES
@@ -49,6 +49,7 @@ from .unit_types import UnitType
 if TYPE_CHECKING:
     from .control import Registration
     from .tracking import Surroundings, TrackedEpoch
+    from .unit_clouds import UnitCloud
 
 FloatArray = NDArray[np.float64]
 Tables = dict[str, list[dict[str, Any]]]
@@ -181,7 +182,7 @@ def segment_epochs(
     result = []
     for plan in plans:
         mine = [k for k, (other, _) in enumerate(blocks) if other is plan]
-        arrays = [loaded_arrays(files[k]) for k in mine]
+        arrays = [loaded_arrays(files[k], without=POINT_ARRAYS) for k in mine]
         rows = owners([(blocks[k][1].core, a) for k, a in zip(mine, arrays, strict=True)], heights)
         result.append(_collected(plan, arrays, rows, tuple(files[k] for k in mine), tuple(unit.type for unit in survey.units)))
     return tuple(result)
@@ -294,7 +295,7 @@ def fit_epochs(
     result = []
     for epoch in epochs:
         own = tuple(next(files) for _ in epoch.files)
-        arrays = [loaded_arrays(path) for path in own]
+        arrays = [loaded_arrays(path, without=POINT_ARRAYS) for path in own]
         result.append(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own, epoch.units))
     return tuple(result)
 
@@ -369,7 +370,7 @@ def _collected(
     units: tuple[UnitType, ...],
 ) -> EpochUnits:
     """Units of all blocks in one table, poses absolute, ordered by easting and northing."""
-    skip = {"origin", "points", "sources", "offsets"}
+    skip = {"origin", "offsets"}
     table = {name: np.concatenate([a[name][r] for a, r in zip(arrays, rows, strict=True)]) for name in arrays[0] if name not in skip}
     table["poses"] = table["poses"].copy()
     table["poses"][:, :3] += np.concatenate([np.tile(a["origin"], (len(r), 1)) for a, r in zip(arrays, rows, strict=True)])
@@ -718,7 +719,7 @@ def track_tables(
     centres = np.concatenate([epoch.table["poses"][:, :3] for epoch in fitted])
     origin = np.round(centres.mean(axis=0)) if len(centres) else np.zeros(3)
     labels = [e.plan.epoch.label for e in fitted]
-    placed = [_tracked_epoch(e, registrations.get(e.plan.epoch.label), units, origin, labels) for e in fitted]
+    placed = [_tracked_epoch(k, e, registrations.get(e.plan.epoch.label), units, origin, labels) for k, e in enumerate(fitted)]
     result = track(placed, units, _surroundings(survey, fitted, registrations, origin, feedback))
     names = unit_names(len(result.units))
     limits = survey.sections["displacement"]
@@ -759,31 +760,45 @@ def track_tables(
 
 
 def _tracked_epoch(
-    epoch: EpochUnits, registration: Registration | None, units: tuple[UnitType, ...], origin: FloatArray, labels: Sequence[str]
+    number: int,
+    epoch: EpochUnits,
+    registration: Registration | None,
+    units: tuple[UnitType, ...],
+    origin: FloatArray,
+    labels: Sequence[str],
 ) -> TrackedEpoch:
-    """Units of an epoch with their points in the control frame, less the common reduction point."""
+    """Units of an epoch (its number) with their clouds in the control frame, less the common reduction point."""
     from .control import Transformation
     from .tracking import FittedUnit, TrackedEpoch
+    from .unit_clouds import UnitCloud
 
     known = None if registration is None else registration.transformation
     transformation = Transformation.identity(origin) if known is None else known
     table = epoch.table
     turn = np.kron(np.eye(2), transformation.rotation)
-    found: list[FittedUnit | None] = [None] * len(epoch)
-    for row, points, sources in epoch.points():
+    points_of = epoch.reader()
+
+    def cloud(row: int, sources: NDArray[np.uint16]) -> UnitCloud:
+        def read() -> tuple[FloatArray, NDArray[np.uint16]]:
+            points, sources = points_of(row)
+            return transformation.apply(points) - origin, sources
+
+        return UnitCloud(len(sources), np.unique(sources), read, (number, int(epoch.places[row, 0])))
+
+    found: dict[int, FittedUnit] = {}
+    for row, _, sources in epoch.points():
         pose = transformation.apply_pose(epoch.pose(row)).shifted(-origin)
         kind = int(table["type"][row])
         certain = table["status"][row] == "found"
-        placed = transformation.apply(points) - origin
         score = float(table["score"][row])
         own = table["covariance"][row][:6, :6]
         covariance = turn @ own @ turn.T if np.isfinite(own).all() else None
         n_points = int(table["n_points"][row])
-        found[row] = FittedUnit(pose, units[kind], kind, certain, table["discs"][row], placed, sources, covariance, score, n_points)
+        found[row] = FittedUnit(pose, units[kind], kind, certain, table["discs"][row], cloud(row, sources), covariance, score, n_points)
     return TrackedEpoch(
         epoch.plan.epoch.label,
         epoch.plan.epoch.time,
-        tuple(unit for unit in found if unit is not None),
+        tuple(found[row] for row in range(len(epoch))),
         None if known is None else replace(known, origin_to=known.origin_to - origin),
         0 if registration is None else registration.redundancy,
         None if registration is None or registration.reference is None else labels.index(registration.reference),

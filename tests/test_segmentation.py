@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from tetratrack.core.aggregation import assign
-from tetratrack.core.assembly import CELLS, CLOSE, INSIDE, SUPPORT, evidence, poses_from_pairs, refine
+from tetratrack.core.assembly import CELLS, CLOSE, INSIDE, REACHED, RMS, SUPPORT, evidence, poses_from_pairs, refine
 from tetratrack.core.conic_ransac import find_legs
 from tetratrack.core.neighbourhood import build_grid, gather
 from tetratrack.core.pose import Pose, rotation_angle
-from tetratrack.core.segmentation import FOUND_SCORE, segment
-from tetratrack.core.simulation import cloud_of, interlocked_rows
+from tetratrack.core.segmentation import FOUND_SCORE, TypicalUnit, score, segment
+from tetratrack.core.simulation import interlocked_rows
 from tetratrack.core.surface_elements import surface_elements, thin
 from tetratrack.core.tetrapod import relate, sample_surface
 from tetratrack.core.unit_types import UnitType
@@ -226,14 +226,15 @@ def test_walls_rock_and_emptiness_hold_no_units():
     assert [u for u in result.units if u.status == "found"] == []
 
 
-def test_one_visible_leg_is_not_given_a_twist():
-    pose = turned(13)
-    cloud = cloud_of(UNIT, (pose,), 0.01, np.random.default_rng(14), count=12000)
-    body = pose.to_body(cloud.points)
-    relation = relate(body, UNIT)
-    one_leg = cloud.points[(relation.leg == 0) & (relation.axial > 0.3 * UNIT.height)]
-    result = segment(one_leg, UNIT)
-    assert all(u.status == "uncertain" and u.score < FOUND_SCORE for u in result.units)
+def test_score_falls_for_what_no_unit_shows():
+    weak = np.array([93.0, 98.0, 0.0, 10.0, 3.0, 0.4, 105.0])
+    typical = TypicalUnit(misfit=0.4, agreement=0.95)
+    assert score(weak, 1.0, typical) > FOUND_SCORE
+    scattered, few, turned = weak.copy(), weak.copy(), weak.copy()
+    scattered[RMS] = 0.75
+    few[[SUPPORT, CLOSE, CELLS, REACHED]] = 12, 12, 5, 12
+    turned[SUPPORT] = 60
+    assert all(score(row, 1.0, typical) < FOUND_SCORE for row in (scattered, few, turned))
 
 
 def test_tiny_survey_against_its_truth(repository: Path):

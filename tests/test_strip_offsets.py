@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import tracemalloc
+from functools import partial
+
 import numpy as np
 import pytest
 from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
+from tetratrack.core import strip_offsets
+from tetratrack.core.streamed_median import StreamedMedian
 from tetratrack.core.strip_offsets import JointAdjustment, UnitSighting, adjust_jointly
+from tetratrack.core.unit_clouds import UnitCloud
 
 
 def two_epochs(seed: int, spread: float, count: int = 600, noise: float = 0.012) -> tuple[list[UnitSighting], list[np.ndarray]]:
@@ -22,7 +28,7 @@ def two_epochs(seed: int, spread: float, count: int = 600, noise: float = 0.012)
             cloud = seen_from_above(pose, rng, count, noise, offsets[epoch][pair], roughness)
             start = pose.perturbed(rng.normal(0, 0.01, 3), rng.normal(0, 0.005, 3))
             sources = np.array(pair)[cloud.sources] + 1
-            sightings.append(UnitSighting(unit, epoch, start, cloud.points, sources, ALL_DISCS, UNIT))
+            sightings.append(UnitSighting(unit, epoch, start, UnitCloud.held(cloud.points, sources), ALL_DISCS, UNIT))
     return sightings, offsets
 
 
@@ -73,9 +79,9 @@ def test_moved_unit_keeps_its_motion() -> None:
     sightings, _ = two_epochs(2, spread=0.01)
     moved = sightings[5]
     shift = np.array([0.05, -0.02, 0.01])
-    sightings[5] = UnitSighting(
-        moved.unit, moved.epoch, moved.pose.shifted(shift), moved.points + shift, moved.sources, moved.discs, moved.shape
-    )
+    points, sources = moved.cloud.read()
+    cloud = UnitCloud.held(points + shift, sources)
+    sightings[5] = UnitSighting(moved.unit, moved.epoch, moved.pose.shifted(shift), cloud, moved.discs, moved.shape)
     vectors, _ = displacements(adjust_jointly(sightings))
     assert np.allclose(vectors[2], shift, atol=0.006)
     assert np.linalg.norm(np.delete(vectors, 2, axis=0), axis=1).max() < 0.01
@@ -93,11 +99,47 @@ def test_poses_of_an_undetermined_unit_do_not_spoil_the_rest() -> None:
     """A unit of which only a patch of one leg is seen has a large covariance, not a wrong small one."""
     sightings, _ = two_epochs(4, spread=0.01)
     first = sightings[0]
-    along = first.pose.to_body(first.points) @ UNIT.leg_directions.T
+    points, sources = first.cloud.read()
+    along = first.pose.to_body(points) @ UNIT.leg_directions.T
     leg = int(np.argmax(np.bincount(np.argmax(along, axis=1))))
     near = (np.argmax(along, axis=1) == leg) & (along[:, leg] < 1.2)
-    sightings[0] = UnitSighting(0, 0, first.pose, first.points[near], first.sources[near], np.zeros(4, dtype=np.bool_), UNIT)
+    sightings[0] = UnitSighting(0, 0, first.pose, UnitCloud.held(points[near], sources[near]), np.zeros(4, dtype=np.bool_), UNIT)
     joint = adjust_jointly(sightings)
     assert np.sqrt(np.diag(joint.covariances[0]))[:6].max() > 10 * np.sqrt(np.diag(joint.covariances[1]))[:6].max()
     vectors, _ = displacements(joint)
     assert np.linalg.norm(vectors[1:], axis=1).max() < 0.01
+
+
+def test_memory_does_not_grow_with_the_points_of_more_units(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(strip_offsets, "StreamedMedian", partial(StreamedMedian, most_held=1000))
+    count = 4000
+    some = [s for s in two_epochs(5, spread=0.01, count=count)[0] if s.epoch == 0]
+
+    def peak(units: int) -> int:
+        """Bytes needed for units whose points are made anew whenever they are read."""
+        sightings = []
+        for unit in range(units):
+            own = some[unit % len(some)]
+            points, sources = own.cloud.read()
+            read = lambda points=points, sources=sources: (points.copy(), sources)  # noqa: E731
+            sightings.append(UnitSighting(unit, 0, own.pose, UnitCloud(len(points), np.unique(sources), read), own.discs, own.shape))
+        tracemalloc.start()
+        adjust_jointly(sightings)
+        try:
+            return tracemalloc.get_traced_memory()[1]
+        finally:
+            tracemalloc.stop()
+
+    peak(2)
+    few, many = peak(16), peak(64)
+    assert (many - few) / 48 < 0.1 * count * 3 * 8
+
+
+def test_medians_of_what_does_not_fit_into_memory_give_the_same_adjustment(monkeypatch: pytest.MonkeyPatch) -> None:
+    sightings, _ = two_epochs(6, spread=0.01)
+    whole = adjust_jointly(sightings)
+    monkeypatch.setattr(strip_offsets, "StreamedMedian", partial(StreamedMedian, most_held=100))
+    parts = adjust_jointly(sightings)
+    assert parts.noise.tolist() == whole.noise.tolist()
+    assert parts.surface_sd == whole.surface_sd
+    assert all(np.array_equal(a.centre, b.centre) for a, b in zip(whole.poses, parts.poses, strict=True))

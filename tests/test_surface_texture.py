@@ -16,6 +16,7 @@ from tetratrack.core.surface_texture import Likeness, likeness, texture
 from tetratrack.core.tetrapod import sample_surface
 from tetratrack.core.tracking import FittedUnit, TrackedEpoch, Tracking, track
 from tetratrack.core.tracking_tables import unit_names, unit_tables
+from tetratrack.core.unit_clouds import UnitCloud
 
 POINTS = 24_000
 UPRIGHT = Pose(np.zeros(3), np.eye(3))
@@ -37,11 +38,11 @@ def sighting(casting: int, pose: Pose, seed: int, noise: float = 0.004) -> Fitte
     sources = rng.integers(1, 3, len(body))
     points = pose.to_frame(body + normals * (relief + rng.normal(0, noise, len(body)))[:, None]) + 0.004 * sources[:, None]
     fitted = pose.perturbed(rng.normal(0, 0.001, 3), rng.normal(0, 0.0005, 3))
-    return FittedUnit(fitted.relabelled(UNIT.symmetries[rng.integers(12)]), UNIT, 0, True, ALL_DISCS, points, sources)
+    return FittedUnit(fitted.relabelled(UNIT.symmetries[rng.integers(12)]), UNIT, 0, True, ALL_DISCS, UnitCloud.held(points, sources))
 
 
 def compared(first: FittedUnit, second: FittedUnit) -> Likeness:
-    a, b = (texture(s.points, s.sources, s.pose, s.shape) for s in (first, second))
+    a, b = (texture(*s.cloud.read(), s.pose, s.shape) for s in (first, second))
     return likeness(a, b, UNIT)
 
 
@@ -65,9 +66,10 @@ def test_noise_above_the_relief_recognises_nothing() -> None:
 
 def test_too_little_surface_in_common_recognises_nothing() -> None:
     few = sighting(1, UPRIGHT, 1)
-    some = texture(few.points[:200], few.sources[:200], few.pose, UNIT)
+    points, sources = few.cloud.read()
+    some = texture(points[:200], sources[:200], few.pose, UNIT)
     assert likeness(some, some, UNIT).lead == 0
-    assert len(texture(few.points[:40], few.sources[:40], few.pose, UNIT).points) == 0
+    assert len(texture(points[:40], sources[:40], few.pose, UNIT).points) == 0
 
 
 PLACES = [Pose(np.array([3.0 * (k % 3), 3.0 * (k // 3), 0]), r.as_matrix()) for k, r in enumerate(Rotation.random(6, random_state=3))]
@@ -89,7 +91,7 @@ def tracked(noise: float) -> tuple[Tracking, tuple[TrackedEpoch, ...], dict[int,
         for pose in scene.values():
             ground = ground[np.linalg.norm(ground[:, :2] - pose.centre[:2], axis=1) > 1.2]
         epochs.append(TrackedEpoch(str(number), datetime(2020 + number, 1, 1, tzinfo=UTC), units, None))
-        clouds.append(np.vstack([*(u.points for u in units), ground]))
+        clouds.append(np.vstack([*(u.cloud.read()[0] for u in units), ground]))
 
     def surroundings(epoch: int, places: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
         near = np.isfinite(cKDTree(places).query(clouds[epoch], distance_upper_bound=reach)[0])

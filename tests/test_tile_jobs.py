@@ -10,10 +10,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tetratrack.core.block_jobs import owners
+from scipy.spatial.transform import Rotation
+from tetratrack.core.block_jobs import adjusted_nearby, owners
 from tetratrack.core.errors import Cancelled, InputError, OutputError, TetratrackError
-from tetratrack.core.tile_jobs import JobRunner, job_key, load_arrays, plan_blocks, save_arrays
+from tetratrack.core.gauss_helmert import AdjustmentOptions, adjust
+from tetratrack.core.pose import Pose
+from tetratrack.core.tetrapod import sample_surface
+from tetratrack.core.tile_jobs import JobRunner, job_key, load_arrays, loaded_arrays, plan_blocks, save_arrays
 from tetratrack.core.tiles import TileInfo, Window
+from tetratrack.core.unit_types import UnitType
 
 
 def _tile(name: str, low: tuple[float, float], high: tuple[float, float], points: int = 1000) -> TileInfo:
@@ -140,6 +145,20 @@ def test_arrays_that_cannot_be_saved(tmp_path: Path) -> None:
     assert load_arrays(tmp_path / "none.npz") is None
 
 
+def test_arrays_of_points_are_not_read_where_only_the_table_is_wanted(tmp_path: Path) -> None:
+    path = tmp_path / "a.npz"
+    save_arrays(path, {"poses": np.arange(3.0), "points": np.full((1000, 3), 7.0)})
+    content = bytearray(path.read_bytes())
+    content[content.index(np.full(1, 7.0).tobytes()) + 100] ^= 255
+    path.write_bytes(content)
+    assert load_arrays(path) is None
+    table = loaded_arrays(path, without=["points"])
+    assert list(table) == ["poses"]
+    assert table["poses"].tolist() == [0, 1, 2]
+    with pytest.raises(InputError, match="vanished"):
+        loaded_arrays(tmp_path / "none.npz")
+
+
 def _found(places: list[tuple[float, float]], scores: list[float]) -> dict:
     poses = np.zeros((len(places), 12))
     poses[:, :2] = np.reshape(places, (-1, 2))
@@ -155,3 +174,21 @@ def test_a_unit_on_the_edge_of_two_blocks_is_kept_once() -> None:
     assert [k.tolist() for k in owners([], [2.0])] == []
     empty = (Window(0, 0, 1, 1), _found([], []))
     assert [k.tolist() for k in owners([empty], [2.0])] == [[]]
+
+
+def test_an_adjustment_that_leaves_the_unit_is_made_anew_with_its_end_disc():
+    unit = UnitType.tetrapod(2.7)
+    rng = np.random.default_rng(7)
+    pose = Pose(np.zeros(3), Rotation.random(random_state=7).as_matrix())
+    points, normals, leg = sample_surface(unit, 20000, rng)
+    # the upper side of the end of one leg
+    seen = (leg == 0) & (points @ unit.leg_directions[0] > 0.42 * unit.height) & ((normals @ pose.rotation.T)[:, 2] > 0.2)
+    cloud = pose.to_frame(points[seen][:200]) + rng.normal(0, 0.015, (200, 3))
+    options = AdjustmentOptions(radius_sd=0.01 * unit.radius, gradient_sd=0.01)
+    with pytest.raises(InputError, match="too few points"):
+        adjust(cloud, unit, pose, options=options)
+    result = adjusted_nearby(cloud, unit, pose, options, None)
+    assert np.linalg.norm(result.pose.centre) < 0.1 * unit.height
+    elsewhere = Pose(np.array([0.0, 0.0, 4.0]), pose.rotation)
+    with pytest.raises(InputError, match="near"):
+        adjusted_nearby(cloud, unit, elsewhere, options, None)
