@@ -31,7 +31,7 @@ from numpy.typing import ArrayLike, NDArray
 from .errors import InputError
 from .kernels import COMPILED
 from .pose import Pose
-from .tetrapod import END_DISC, LATERAL
+from .tetrapod import LATERAL
 from .unit_types import Opening, UnitType
 
 FloatArray = NDArray[np.float64]
@@ -250,11 +250,11 @@ def _inside_probability(t: float) -> float:
 
 
 @njit(**_INLINED)
-def _to_body(points, i, centre, rotation):  # type: ignore[no-untyped-def]
-    px, py, pz = points[i, 0] - centre[0], points[i, 1] - centre[1], points[i, 2] - centre[2]
-    x = rotation[0, 0] * px + rotation[1, 0] * py + rotation[2, 0] * pz
-    y = rotation[0, 1] * px + rotation[1, 1] * py + rotation[2, 1] * pz
-    z = rotation[0, 2] * px + rotation[1, 2] * py + rotation[2, 2] * pz
+def _to_body(px, py, pz, centre, rotation):  # type: ignore[no-untyped-def]
+    dx, dy, dz = px - centre[0], py - centre[1], pz - centre[2]
+    x = rotation[0, 0] * dx + rotation[1, 0] * dy + rotation[2, 0] * dz
+    y = rotation[0, 1] * dx + rotation[1, 1] * dy + rotation[2, 1] * dz
+    z = rotation[0, 2] * dx + rotation[1, 2] * dy + rotation[2, 2] * dz
     return x, y, z
 
 
@@ -445,14 +445,14 @@ def _add_products(block, count, weight, scaled, matrix):  # type: ignore[no-unty
 
 @njit(**_INLINED)
 def _clear_points(  # type: ignore[no-untyped-def]
-    points, first, count, centre, rotation, axes, spread, r, c, cosine, ends, given, has_given, opened, discs, scale, square_correct, tip, fade,
-    edge, redescend, block,
+    points, first, count, centre, rotation, axes, spread, r, c, cosine, ends, has_given, opened, discs, scale, square_correct, tip,
+    fade, edge, redescend, block,
 ):  # fmt: skip
     """Linearise ``count`` points with equal noise that belong to one leg's lateral surface beyond doubt, into the columns of ``block``.
 
     Most points do. Without a branch, so that eight are done at once; the others get a weight of zero and ``block[_CLEAR]`` of zero, and are
-    left to :func:`_candidates`. ``spread`` is the largest distance between the ends of two legs' directions. Returns the sums of
-    :func:`linearise_points` over these points.
+    left to :func:`_candidates`. Where ``has_given``, ``block[_LEG]`` holds the legs. ``spread`` is the largest distance between the
+    ends of two legs' directions. Returns the sums of :func:`linearise_points` over these points.
     """
     cx, cy, cz = centre[0], centre[1], centre[2]
     r00, r01, r02 = rotation[0, 0], rotation[0, 1], rotation[0, 2]
@@ -462,7 +462,6 @@ def _clear_points(  # type: ignore[no-untyped-def]
     x1, y1, z1 = axes[1, 0], axes[1, 1], axes[1, 2]
     x2, y2, z2 = axes[2, 0], axes[2, 1], axes[2, 2]
     x3, y3, z3 = axes[3, 0], axes[3, 1], axes[3, 2]
-    # up to where a leg's points have nothing to do with its end disc; an opened leg has one side of it only
     end0, end1, end2, end3 = ends[0], ends[1], ends[2], ends[3]
     disc0, disc1, disc2, disc3 = 1.0 * discs[0], 1.0 * discs[1], 1.0 * discs[2], 1.0 * discs[3]
     open0, open1, open2, open3 = 1.0 * opened[0], 1.0 * opened[1], 1.0 * opened[2], 1.0 * opened[3]
@@ -558,14 +557,14 @@ def _clear_points(  # type: ignore[no-untyped-def]
 
 @njit(**COMPILED)
 def linearise_points(  # type: ignore[no-untyped-def]
-    points, centre, rotation, axes, creases, spread, shape, ends, cov, given, opened, discs, scale, correct, tip, fade, edge, redescend, final,
-    normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, at_tip, rows, feet,
+    points, centre, rotation, axes, creases, spread, shape, ends, cov, given, opened, discs, scale, correct, tip, fade, edge, redescend,
+    final, normal, rhs, plain, shared, shared_scores, legs, parts, residuals, sds, biases, weights, at_tip, rows, feet,
 ):  # fmt: skip
     """One linearisation: normal equations, right-hand side and the state of every point.
 
     ``points`` is (3, n); ``scale`` standardises residuals and is the noise for memberships, in metres where ``cov`` is None, else a factor
-    on it; ``correct`` is the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for what the covariance needs. The use of a leg's
-    cone fades from one half of ``fade`` before ``tip`` to one half of it behind.
+    on it; ``correct`` is the noise whose bias is removed; ``redescend`` asks for robust weights, ``final`` for what the covariance needs.
+    The use of a leg's cone fades from one half of ``fade`` before ``tip`` to one half of it behind, metres along the leg.
     Of the 12 unknowns, shift and turn are along the axes of the body, and the last four are the errors of the leg lengths. ``normal`` and
     ``rhs`` make the Gauss-Newton step. For the covariance, points that belong to one part only enter ``plain``
     (their rows' outer products), the others ``shared`` (derivative of their scores) and ``shared_scores`` (outer products of these).
@@ -606,16 +605,14 @@ def linearise_points(  # type: ignore[no-untyped-def]
             block[_SCORE, :members] = 0.0
             block[_SINGLE, :members] = 0.0
             for i in range(members):
-                dx, dy, dz = points[0, first + i] - centre[0], points[1, first + i] - centre[1], points[2, first + i] - centre[2]
-                block[_X, i] = rotation[0, 0] * dx + rotation[1, 0] * dy + rotation[2, 0] * dz
-                block[_Y, i] = rotation[0, 1] * dx + rotation[1, 1] * dy + rotation[2, 1] * dz
-                block[_Z, i] = rotation[0, 2] * dx + rotation[1, 2] * dy + rotation[2, 2] * dz
+                j = first + i
+                block[_X, i], block[_Y, i], block[_Z, i] = _to_body(points[0, j], points[1, j], points[2, j], centre, rotation)
         else:
             if has_given:
                 for i in range(members):
                     block[_LEG, i] = given[first + i]
             sums = _clear_points(
-                points, first, members, centre, rotation, axes, spread, r, c, cosine, ends, given, has_given, opened, discs, scale,
+                points, first, members, centre, rotation, axes, spread, r, c, cosine, ends, has_given, opened, discs, scale,
                 square_correct, tip, fade, edge, redescend, block,
             )  # fmt: skip
             squares += sums[0]
@@ -1016,7 +1013,7 @@ def _clear_counts(points, centre, rotation, axes, opened, sds, weights, legs, sc
             break
         if weights[i] <= 0.5:
             continue
-        x, y, z = _to_body(points, i, centre, rotation)
+        x, y, z = _to_body(points[i, 0], points[i, 1], points[i, 2], centre, rotation)
         highest = second = -1e300
         for k in range(4):
             if opened[k]:
@@ -1456,9 +1453,9 @@ class _Solver:
         edge, tip, fade = self.trimming(scale)
         squares, weight_sum, self.psi_squares, self.slopes, self.singles = linearise_points(
             self.columns, self.centre, self.rotation, self.axes, self.creases, self.spread, self.shape,
-            self.unit.leg_length + self.leg_errors, self.cov if len(self.cov) else None, self.given, self.opened, self.discs, scale, correct, tip, fade, edge, redescend, final,
-            self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs, self.parts, self.residuals, self.sds,
-            self.biases, self.weights, self.at_tip, self.rows, self.feet,
+            self.unit.leg_length + self.leg_errors, self.cov if len(self.cov) else None, self.given, self.opened, self.discs, scale,
+            correct, tip, fade, edge, redescend, final, self.normal, self.rhs, self.plain, self.shared, self.shared_scores, self.legs,
+            self.parts, self.residuals, self.sds, self.biases, self.weights, self.at_tip, self.rows, self.feet,
         )  # fmt: skip
         return squares, weight_sum
 
@@ -1498,7 +1495,8 @@ class _Solver:
 
     def share_within(self, scale: float) -> float:
         """Share of the points inside the window of the robust weights; points in the tips, which fit nothing, do not count."""
-        return _share_within(self.residuals, self.biases, self.sds, self.at_tip, NO_WEIGHT * scale)
+        share: float = _share_within(self.residuals, self.biases, self.sds, self.at_tip, NO_WEIGHT * scale)
+        return share
 
     def quantile_scale(self, share: float) -> float:
         """Scale of the residuals of all points, from the quantile of their sizes at ``share``."""
@@ -1555,9 +1553,7 @@ class _Solver:
         squares, weight_sum = sums
         free = self.free()
         slope = self.slopes / max(self.singles, 1.0)
-        root, undetermined = _inverse_root(
-            slope * self.plain + self.shared - self.row_excess(), self.prior_weights, free, self.scaling
-        )
+        root, undetermined = _inverse_root(slope * self.plain + self.shared - self.row_excess(), self.prior_weights, free, self.scaling)
         white = root @ root.T
         used = self.weights > 0
         count = float(np.count_nonzero(used))

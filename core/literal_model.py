@@ -176,8 +176,8 @@ def _linearise(
     legs, parts = np.zeros(n, dtype=np.int64), np.zeros(n, dtype=np.int64)
     residuals, sds, biases, weights = (np.zeros(n) for _ in range(4))
     linearise_points(
-        np.ascontiguousarray(xyz.T), centre, np.eye(3), axes, creases, spread, shape, np.full(4, shape[2]), None, given, np.ones(4, dtype=np.bool_),
-        np.zeros(4, dtype=np.bool_), scale, correct, math.inf, scale, 0.0, False, False,
+        np.ascontiguousarray(xyz.T), centre, np.eye(3), axes, creases, spread, shape, np.full(4, shape[2]), None, given,
+        np.ones(4, dtype=np.bool_), np.zeros(4, dtype=np.bool_), scale, correct, math.inf, scale, 0.0, False, False,
         matrices[0], rhs, matrices[1], matrices[2], matrices[3], legs, parts, residuals, sds, biases, weights,
         np.zeros(n, dtype=np.bool_), np.zeros((n, 12)), np.zeros((n, 3)),
     )  # fmt: skip

@@ -94,66 +94,6 @@ class EpochUnits:
 
         return read
 
-    def points(self) -> int:
-        """Points of all tiles."""
-        return sum(tile.points for tile in self.tiles)
-
-
-@dataclass(frozen=True, eq=False)
-class EpochUnits:
-    """Units of one epoch, in the frame of its cloud.
-
-    Attributes
-    ----------
-    plan
-        The epoch.
-    table
-        Arrays by column, one row per unit in order of easting; ``poses`` (k, 12) are absolute. See :mod:`block_jobs`.
-    places
-        (k, 2) number of the file in ``files`` and row in it that hold each unit's points.
-    files
-        Results of the blocks' jobs.
-    units
-        Geometry by type of unit, calibrated where that was asked for.
-    """
-
-    plan: EpochPlan
-    table: Mapping[str, NDArray[Any]]
-    places: NDArray[np.int64]
-    files: tuple[Path, ...]
-    units: tuple[UnitType, ...]
-
-    def __len__(self) -> int:
-        return len(self.places)
-
-    def pose(self, row: int) -> Pose:
-        """Absolute pose of a unit."""
-        values = self.table["poses"][row]
-        return Pose(values[:3], values[3:].reshape(3, 3))
-
-    def reader(self) -> Callable[[int], tuple[FloatArray, NDArray[np.uint16]]]:
-        """Reads (n, 3) absolute points and (n,) source ids of a unit by its row.
-
-        It holds one file at a time: units of one file are to be asked for one after the other.
-
-        Raises
-        ------
-        InputError
-            When reading, if a file is gone.
-        """
-        held: dict[int, Mapping[str, NDArray[Any]]] = {}
-
-        def read(row: int) -> tuple[FloatArray, NDArray[np.uint16]]:
-            number, place = self.places[row]
-            if number not in held:
-                held.clear()
-                held[number] = loaded_arrays(self.files[number])
-            arrays = held[number]
-            own = slice(arrays["offsets"][place], arrays["offsets"][place + 1])
-            return arrays["points"][own] + arrays["origin"], arrays["sources"][own]
-
-        return read
-
     def points(self) -> Iterator[tuple[int, FloatArray, NDArray[np.uint16]]]:
         """Row, (n, 3) absolute points and (n,) source ids of every unit, file by file."""
         read = self.reader()

@@ -122,7 +122,7 @@ class PointIndex:
             b = np.searchsorted(keys, _key(i, int(last[1])), side="right")
             if b > a:
                 pieces.append(np.asarray(coordinates[starts[a] : starts[b], :columns]))
-        return np.vstack(pieces) * SCALE + np.tile(self.origin, columns // 3) if pieces else np.empty((0, columns))
+        return np.asarray(np.vstack(pieces) * SCALE + np.tile(self.origin, columns // 3)) if pieces else np.empty((0, columns))
 
     def _files(self, stem: str) -> tuple[IntArray, IntArray, NDArray[np.int32]]:
         if stem not in self._open:
@@ -192,7 +192,14 @@ def write_index(
             if kept is not None:
                 parts[epoch].append({"stem": f"{number:05d}", "count": kept[0], "bounds": kept[1]})
                 total += kept[0]
-        content = {"version": INDEX_VERSION, "origin": origin.tolist(), "cell": edge, "half_size": half_size, "epochs": parts, "noise": dict(noise or {})}
+        content = {
+            "version": INDEX_VERSION,
+            "origin": origin.tolist(),
+            "cell": edge,
+            "half_size": half_size,
+            "epochs": parts,
+            "noise": dict(noise or {}),
+        }
         (work / "index.json").write_text(json.dumps(content, indent=1), encoding="utf-8")
         if folder.exists():
             shutil.rmtree(folder)

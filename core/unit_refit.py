@@ -62,7 +62,9 @@ def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[
                 places = [cloud.xyz + cloud.origin]
                 if beams is not None:
                     places.append(beams.sensors(cloud.source_id, cloud.gps_time))
-                yield plan.epoch.label, tile.path.name, np.hstack([p if transformation is None else transformation.apply(p) for p in places])
+                if transformation is not None:
+                    places = [transformation.apply(place) for place in places]
+                yield plan.epoch.label, tile.path.name, np.hstack(places)
                 done += 1
 
     folder = index_folder(result)

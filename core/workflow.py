@@ -40,7 +40,7 @@ from .result_rows import (
 )
 from .run_record import RunRecord, record_run
 from .schema import LAYERS
-from .survey import Epoch, Survey
+from .survey import Survey
 from .tile_jobs import JobRunner, loaded_arrays, plan_blocks
 from .tiles import TileInfo, inspect_tile, read_points
 from .trajectory import noise_of, read_stations, read_trajectory

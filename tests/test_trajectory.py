@@ -162,6 +162,14 @@ def flight(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+def calibrated(path: Path) -> dict[str, object]:
+    """What calibration found in a survey that asks for it."""
+    text = path.read_text(encoding="utf-8").replace("height = 2.3", "height = 2.3\ncalibrate = true")
+    path.write_text(text, encoding="utf-8")
+    _, record = run(path)
+    return record["calibration"]["tetrapod"]  # type: ignore[index,no-any-return]
+
+
 def survey_file(folder: Path, name: str, *lines: str) -> Path:
     head = ["[survey]", 'name = "flight"', 'crs = "EPSG:32650"', "[unit]", 'type = "tetrapod"', "height = 2.3"]
     epoch = ["[[epoch]]", 'label = "2025-03-14"', "time = 2025-03-14T02:30:00Z", 'tiles = "tile.las"']
@@ -197,6 +205,14 @@ def test_survey_with_a_trajectory_is_weighted_by_beam(flight: Path) -> None:
     assert inputs == {"tile.las", "trajectory.csv"}
     assert (flown_record["range_sd"], flown_record["angle_sd"]) == (0.02, 0.01)
     assert "range_sd" not in record
+
+
+def test_calibration_knows_the_beams_too(flight: Path) -> None:
+    blind = calibrated(survey_file(flight, "blind_shape.toml"))
+    flown = calibrated(survey_file(flight, "flown_shape.toml", 'trajectory = "trajectory.csv"', "range_sd = 0.02", "angle_sd = 0.01"))
+    radius = UNIT.radius
+    assert abs(flown["radius"] - radius) < 4 * flown["sd"][0]  # type: ignore[operator,index]
+    assert flown["sd"][0] < 0.95 * blind["sd"][0]  # type: ignore[index]
 
 
 @pytest.mark.parametrize(

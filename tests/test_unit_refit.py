@@ -10,16 +10,20 @@ from pathlib import Path
 import laspy
 import numpy as np
 import pytest
-from synthetic_result import GRADIENT, HEIGHT, ORIGIN, RADIUS, SRS, SyntheticUnit, make_units, write_points, write_result
+from synthetic_result import GRADIENT, HEIGHT, LEG_LENGTH, ORIGIN, RADIUS, SRS, SyntheticUnit, make_units, write_points, write_result
 from tetratrack.core.control import Transformation
 from tetratrack.core.displacement_rows import read_details, read_unit_rows
 from tetratrack.core.errors import InputError
+from tetratrack.core.gauss_helmert import beam_covariances
 from tetratrack.core.outline import rotation_of_quaternion
+from tetratrack.core.pose import Pose
 from tetratrack.core.result_tables import epoch_pairs, read_layer_rows
 from tetratrack.core.survey import read_survey
+from tetratrack.core.tetrapod import sample_surface
 from tetratrack.core.unit_edits import NewPose, read_edits, set_pose
-from tetratrack.core.unit_points import PointIndex, index_folder
+from tetratrack.core.unit_points import PointIndex, index_folder, write_index
 from tetratrack.core.unit_refit import index_unit_points, refit_unit, transformation_of
+from tetratrack.core.unit_types import UnitType
 from tetratrack.core.workflow import Feedback
 
 
@@ -74,13 +78,17 @@ def test_tiles_are_indexed_in_the_control_frame(tmp_path: Path) -> None:
         connection.execute("UPDATE epochs SET transformation = NULL WHERE label = '2023-04-09'")
     epochs = []
     cloud = np.round(rng.uniform(ORIGIN - 10, ORIGIN + np.array([40, 40, 10]), (40_000, 3)), 3)
-    for label in ("2023-04-09", "2024-04-09"):
+    # of the second epoch the scanner's place is known
+    station = np.round(ORIGIN + np.array([-30.0, 5.0, 12.0]), 3)
+    (tmp_path / "stations.csv").write_text(f"point_source_id,x,y,z\n0,{station[0]},{station[1]},{station[2]}\n", encoding="utf-8")
+    beams = 'stations = "stations.csv"\nrange_sd = 0.02\nangle_sd = 0.01\n'
+    for label, known in (("2023-04-09", ""), ("2024-04-09", beams)):
         header = laspy.LasHeader(point_format=6, version="1.4")
         header.offsets, header.scales = ORIGIN, [0.001] * 3
         las = laspy.LasData(header)
         las.x, las.y, las.z = cloud.T
         las.write(str(tmp_path / f"{label}.laz"))
-        epochs.append(f'[[epoch]]\nlabel = "{label}"\ntime = {label}T02:30:00Z\ntiles = "{label}.laz"\ntiles_crs = "EPSG:{SRS}"\n')
+        epochs.append(f'[[epoch]]\nlabel = "{label}"\ntime = {label}T02:30:00Z\ntiles = "{label}.laz"\ntiles_crs = "EPSG:{SRS}"\n{known}')
     toml = f'[survey]\nname = "s"\ncrs = "EPSG:{SRS}"\n[unit]\ntype = "tetrapod"\nheight = {HEIGHT}\n' + "".join(epochs)
     (tmp_path / "survey.toml").write_text(toml, encoding="utf-8")
     index_unit_points(read_survey(tmp_path / "survey.toml"), path, Feedback())
@@ -91,6 +99,41 @@ def test_tiles_are_indexed_in_the_control_frame(tmp_path: Path) -> None:
         inside = moved[np.all(np.abs(moved - centre) <= 1.5, axis=1)]
         assert len(found) == len(inside) > 5
         np.testing.assert_allclose(found[np.lexsort(np.round(found, 3).T)], inside[np.lexsort(np.round(inside, 3).T)], atol=1e-3)
+    assert index.noise("2023-04-09") is None
+    assert index.noise("2024-04-09") == pytest.approx((0.02, np.radians(0.01)))
+    found, sensors = index.read_with_sensors("2024-04-09", centre, 1.5)
+    np.testing.assert_array_equal(found, index.read("2024-04-09", centre, 1.5))
+    np.testing.assert_allclose(sensors, np.tile(station + shift, (len(found), 1)), atol=1e-3)
+
+
+def test_refit_weights_by_beam_where_the_sensors_are_known(tmp_path: Path) -> None:
+    """Noise of 3 cm along the beams and 3 mm across, from the side: sharper than equal weights, and as sharp as it says."""
+    path = tmp_path / "result.gpkg"
+    units = write_result(path, epochs=2, units=stable_units(6))
+    rng = np.random.default_rng(5)
+    unit_type = UnitType.tetrapod(HEIGHT, radius=RADIUS, gradient=GRADIENT, leg_length=LEG_LENGTH)
+    (pair,) = epoch_pairs(path)
+    errors, deviations = np.empty((len(units), 2)), np.empty((len(units), 2))
+    for k, unit in enumerate(units):
+        pose = Pose(unit.centres[1], rotation_of_quaternion(unit.quaternions[1]))
+        body, normals, _ = sample_surface(unit_type, 6000, rng)
+        sensor = pose.centre + np.array([9.0, -6.0, 8.0])
+        beams = pose.to_frame(body) - sensor
+        seen = np.einsum("ij,ij->i", normals @ pose.rotation.T, beams) < -1.0
+        exact, beams = pose.to_frame(body)[seen], beams[seen]
+        noise = np.linalg.cholesky(beam_covariances(exact, sensor, 0.03, 0.00022))
+        points = exact + np.einsum("ijk,ik->ij", noise, rng.normal(size=exact.shape))
+        for j, rows in enumerate((points, np.hstack([points, np.tile(sensor, (len(points), 1))]))):
+            known = {pair.epoch_to: (0.03, 0.00022)} if j else None
+            write_index(index_folder(path), [(pair.epoch_to, "tile", rows)], pose.centre[None], 1.6 * HEIGHT, noise=known)
+            refit_unit(path, unit.unit_id, pair.epoch_to, pose.centre, editor="A")
+            row = next(r for r in read_layer_rows(path, "units") if r["unit_id"] == unit.unit_id and r["epoch"] == pair.epoch_to)
+            errors[k, j] = np.linalg.norm(read_details(path, unit.unit_id).shapes[pair.epoch_to].centre - pose.centre)
+            deviations[k, j] = np.linalg.norm([row["sd_e"], row["sd_n"], row["sd_h"]])
+    rmse = np.sqrt(np.mean(errors**2, axis=0))
+    assert rmse[1] < 0.9 * rmse[0]
+    # the registration's 2 mm are part of the deviations, not of these errors
+    assert rmse[1] < deviations[:, 1].mean() < deviations[:, 0].mean()
 
 
 def test_survey_of_another_result_is_refused(tmp_path: Path, repository: Path) -> None:
