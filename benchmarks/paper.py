@@ -550,6 +550,9 @@ def pictures(folder: Path, results: dict[str, Any]) -> None:
     visible = results["future work"]["visible"]
     right.plot([100 * float(k) for k in visible], [v["rmse_centre_mm"] for v in visible.values()], "o-")
     right.set_yscale("log")
+    for axis in (left.xaxis, left.yaxis, right.yaxis):
+        axis.set_major_formatter("{x:g}")
+    left.yaxis.set_minor_formatter("{x:g}")
     right.set_xlabel("share of the surface visible (%), shape known")
     for axes in (left, right):
         axes.set_ylabel("RMSE of the centre (mm), noise 2 cm")
