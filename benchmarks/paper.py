@@ -329,6 +329,8 @@ def future_work(fits: int) -> dict[str, Any]:
     }
     for kind in ("neighbour", "rock", "growth", "anywhere"):
         result[f"30 % bad points: {kind}"] = study(fits, 1400, 0.02, gross(0.3, kind), options=ideal)
+    # as the product fits real units
+    result["30 % bad points: rock, tips and edges left out"] = study(fits, 1400, 0.02, gross(0.3, "rock"), options=AdjustmentOptions())
     result["density"] = {str(n): study(fits, n, 0.02, nothing, options=ideal) for n in (100, 200, 500, 1000, 2000, 5000)}
     held = AdjustmentOptions.ideal(radius_sd=0.0, gradient_sd=0.0)
     result["2 cm along the beam, 3 mm across, weighted"] = {

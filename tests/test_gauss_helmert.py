@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 from scipy.stats import binom, chi2
 from tetratrack.core.errors import InputError
-from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, _pair_products, adjust, beam_covariances
+from tetratrack.core.gauss_helmert import _LAGS, Adjustment, AdjustmentOptions, _lag_products, _pair_products, adjust, beam_covariances
 from tetratrack.core.pose import Pose, rotation_angle
 from tetratrack.core.tetrapod import END_DISC, relate, sample_surface
 from tetratrack.core.unit_types import UnitType
@@ -325,6 +325,75 @@ def test_residuals_are_distances_to_the_adjusted_surface() -> None:
     assert used.sum() > 1450
     # the last step is taken to first order
     assert np.abs(result.residuals[used] - distances).max() < 1e-3 * result.noise
+
+
+def test_products_of_residuals_are_summed_by_distance() -> None:
+    """Against all pairs; what the fit makes of white noise is taken from all points where they are few."""
+    rng = np.random.default_rng(14)
+    height, count = 2.0, 100
+    points, values, whitened = rng.normal(0, 0.08, (count, 3)), rng.normal(size=count), rng.normal(size=(count, 8))
+    sums, expected, counts = np.zeros(7), np.zeros(7), np.zeros(7)
+    _lag_products(points, values, whitened, np.arange(count), height, sums, expected, counts)
+    first, second = np.triu_indices(count, 1)
+    place = np.searchsorted(_LAGS * height, np.linalg.norm(points[first] - points[second], axis=1), side="right") - 1
+    near = place < 7
+    first, second, place = first[near], second[near], place[near]
+    assert counts == pytest.approx(np.bincount(place, minlength=7))
+    assert counts.min() > 0
+    assert sums == pytest.approx(np.bincount(place, values[first] * values[second], minlength=7))
+    assert expected == pytest.approx(-np.bincount(place, np.sum(whitened[first] * whitened[second], axis=1), minlength=7))
+
+
+@pytest.mark.parametrize("options", [AdjustmentOptions(), AdjustmentOptions.ideal()])
+def test_equal_noise_given_as_covariances_is_equal_noise(options: AdjustmentOptions) -> None:
+    """With covariances every point goes the long way; without, those clear of creases and rims take a shorter one."""
+    rng = np.random.default_rng(23)
+    pose = random_pose(rng)
+    body, normals, _ = sample_surface(UNIT, 3000, rng, end_discs=options.end_discs == "auto")
+    seen = normals @ rng.normal(size=3) > -0.3
+    points = pose.to_frame(body[seen] + rng.normal(0, 0.01, (seen.sum(), 3)))
+    start = pose.perturbed([0.03, 0.02, 0.01], [0.01, 0.02, 0.0])
+    short = adjust(points, UNIT, start, options=options)
+    long = adjust(points, UNIT, start, options=options, covariances=np.tile(0.01**2 * np.eye(3), (len(points), 1, 1)))
+    deviations = np.sqrt(np.diag(short.covariance))
+    assert np.all(np.abs(short.pose.centre - long.pose.centre) < 0.01 * deviations[:3])
+    assert abs(short.radius - long.radius) < 0.01 * deviations[6]
+    assert long.noise == pytest.approx(short.noise, rel=1e-3)
+    assert np.diag(long.covariance) == pytest.approx(np.diag(short.covariance), rel=0.02)
+    assert np.mean(long.legs == short.legs) > 0.999
+    assert np.mean(long.parts == short.parts) > 0.999
+
+
+def test_fits_of_legs_without_end_discs_settle() -> None:
+    """Single points at the limit of the tips once flipped in and out until the iterations ran out, in one of thirty fits."""
+    rng = np.random.default_rng(3)
+    for _ in range(60):
+        pose = random_pose(rng)
+        body, _, _ = sample_surface(UNIT, 1500, rng, end_discs=False)
+        points = pose.to_frame(body + rng.normal(0, 0.02, body.shape))
+        fit = adjust(points, UNIT, pose.perturbed(rng.normal(0, 0.05, 3), rng.normal(0, 0.02, 3)))
+        assert fit.converged
+        assert fit.iterations < 15
+
+
+def test_rock_that_a_lengthened_cone_would_run_into_is_left_out() -> None:
+    rng = np.random.default_rng(24)
+    unit = UnitType.tetrapod(2.3)
+    body, _, _ = sample_surface(unit, 1500, rng, end_discs=False)
+    # a ring around the first leg's axis beyond its end, where its cone would be
+    beyond = unit.leg_length + rng.uniform(0.1, 0.3, 300)
+    across = np.linalg.qr(np.column_stack([unit.leg_directions[0], rng.normal(size=(3, 2))]))[0][:, 1:]
+    angle = rng.uniform(0, 2 * np.pi, 300)
+    ring = beyond[:, None] * unit.leg_directions[0]
+    ring += (unit.radius - unit.gradient * beyond)[:, None] * (
+        np.cos(angle)[:, None] * across[:, 0] + np.sin(angle)[:, None] * across[:, 1]
+    )
+    points = np.vstack([body + rng.normal(0, 0.02, body.shape), ring])
+    pose = Pose(np.zeros(3), np.eye(3))
+    fit = adjust(points, unit, pose, options=AdjustmentOptions.ideal())
+    assert fit.converged
+    assert not fit.weights[1500:].any()
+    assert (fit.weights[:1500] > 0).mean() > 0.97
 
 
 @pytest.mark.parametrize("reach", [0.05, 0.3])
