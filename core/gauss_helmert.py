@@ -589,9 +589,9 @@ def linearise_points(  # type: ignore[no-untyped-def]
     which = np.zeros(8, dtype=np.int64)
     row = np.zeros(12)
     mean_score = np.zeros(12)
-    # a point has up to eight parts; rows a power of two apart would share the lines of the cache
-    block = np.zeros((_BLOCK_ROWS, 8 * _BLOCK + 8))
-    scaled = np.empty(8 * _BLOCK)
+    # a column for every point, and one for each of up to eight parts that may own it; rows a power of two apart would share cache lines
+    block = np.zeros((_BLOCK_ROWS, 9 * _BLOCK + 8))
+    scaled = np.empty(9 * _BLOCK)
     cosine = 1.0 / math.sqrt(1.0 + c * c)
     square_correct = correct * correct
     reach = scale
