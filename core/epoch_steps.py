@@ -16,12 +16,13 @@ from numpy.typing import NDArray
 from .control import Transformation
 from .displacement import grades_from
 from .errors import InputError
+from .fitted_unit import FittedUnit
 from .gap_rows import gap_rows
 from .geopackage import check_output, from_upper_triangle, replace_durably, temporary_beside
 from .pose import Pose
 from .result_rows import covariance_fields, feature_rows
 from .survey import SECTIONS
-from .tracking import FittedUnit, TrackedEpoch, track
+from .tracking import TrackedEpoch, track
 from .tracking_tables import TableOptions, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
 from .unit_clouds import UnitCloud
 from .unit_types import UnitType

@@ -32,11 +32,12 @@ from .displacement import (
     velocity,
 )
 from .feature_points import FEATURES, FeaturePoints, feature_points
+from .fitted_unit import FittedUnit
 from .identity import FoundUnits, Track, identify
 from .pose import Pose
 from .presence import look_up
+from .relocation import join_relocated
 from .strip_offsets import JointAdjustment, UnitSighting, adjust_jointly
-from .surface_texture import Texture, likeness, texture
 from .unit_clouds import UnitCloud, by_home
 from .unit_types import UnitType
 
@@ -47,47 +48,10 @@ DATUMS = ("stable", "control")
 MIN_RECOVERED_POINTS = 60
 LOOK_UP_REACHES = 1.35
 """Distance from a missing unit's centre, in reaches of a unit, in which its place is looked at."""
-RELIEFS_HELD = 64
-"""Lost units whose relief is compared with that of all new ones at a time."""
 SAME_POINT = 1e-4
 """Distance in metres below which a point of the cloud is the point of a unit."""
-DOUBTFUL_MOVE_HEIGHTS = 0.2
-"""Motion above which another unit fits into the place."""
 RECOVERED_SCORE = 0.8
 """Probability below which one detection does not vouch for the unit in an epoch where it was not detected."""
-
-
-@dataclass(frozen=True, eq=False)
-class FittedUnit:
-    """A unit found and adjusted in one epoch, in the control frame less the reduction point.
-
-    Attributes
-    ----------
-    pose, shape, kind
-        Adjusted pose; geometry; index of the type of unit.
-    certain
-        False for weak evidence.
-    discs
-        (4,) legs whose end disc was used.
-    cloud
-        Its points and their strips or stations; none where only the fit is known.
-    covariance
-        (6, 6) of the fitted pose, used where there are no points or nothing ties the units.
-    score
-        Probability that it is a unit, 0 to 1.
-    n_points
-        Points that carry weight in the fit.
-    """
-
-    pose: Pose
-    shape: UnitType
-    kind: int
-    certain: bool
-    discs: NDArray[np.bool_]
-    cloud: UnitCloud
-    covariance: FloatArray | None = None
-    score: float = 1.0
-    n_points: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -238,11 +202,11 @@ def track(epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], surrounding
     ]
     identities = identify(found, units)
     tracks = list(identities.tracks)
-    seen: list[dict[int, FittedUnit]] = [{e: _sighted(epochs[e].units[row], t.symmetries[e]) for e, row in t.rows.items()} for t in tracks]
+    seen: list[dict[int, FittedUnit]] = [{e: epochs[e].units[row].relabelled(t.symmetries[e]) for e, row in t.rows.items()} for t in tracks]
     states, recovered = _look_for_missing(epochs, tracks, seen, units, identities.shifts, surroundings)
     for unit, epoch, sighting in recovered:
         seen[unit][epoch] = sighting
-    tracks, seen, states = _join_relocated(tracks, seen, states, len(epochs))
+    tracks, seen, states = join_relocated(tracks, seen, states, len(epochs))
     joint, numbers = _adjust(seen)
     epochs = [_with_mean_offset(e, k, joint) for k, e in enumerate(epochs)]
     tracked = [_states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs)) for k in range(len(tracks))]
@@ -259,12 +223,6 @@ def track(epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], surrounding
         velocities,
         identities.shifts,
     )
-
-
-def _sighted(unit: FittedUnit, symmetry: FloatArray) -> FittedUnit:
-    """The unit with the leg numbers of its track."""
-    new_to_old = np.argmax(unit.shape.leg_directions @ (unit.shape.leg_directions @ symmetry.T).T, axis=0)
-    return replace(unit, pose=unit.pose.relabelled(symmetry), discs=unit.discs[new_to_old])
 
 
 def _look_for_missing(
@@ -328,116 +286,6 @@ def _left_by(owners: Sequence[FittedUnit], points: FloatArray, index: IntArray) 
         if len(own) and len(index):
             index = index[cKDTree(own).query(points[index])[0] > SAME_POINT]
     return index
-
-
-@dataclass(frozen=True, eq=False)
-class _Followed:
-    """A track with its sightings and what was found where it was not seen."""
-
-    track: Track
-    seen: dict[int, FittedUnit]
-    states: dict[int, str]
-
-    def until(self, epoch: int) -> _Followed:
-        """What happened before an epoch; in it another unit fills the place."""
-        return self._part(lambda e: e < epoch, {epoch: "empty"})
-
-    def since(self, epoch: int) -> _Followed:
-        """What happened from an epoch on; before it another unit filled the place."""
-        return self._part(lambda e: e >= epoch, {epoch - 1: "empty"})
-
-    def _part(self, within: Callable[[int], bool], states: dict[int, str]) -> _Followed:
-        t = self.track
-        track = Track(
-            {e: r for e, r in t.rows.items() if within(e)},
-            {e: s for e, s in t.symmetries.items() if within(e)},
-            frozenset(e for e in t.ambiguous if within(e)),
-            t.kind,
-            frozenset(e for e in t.relocated if within(e)),
-        )
-        return _Followed(
-            track, {e: s for e, s in self.seen.items() if within(e)}, states | {e: s for e, s in self.states.items() if within(e)}
-        )
-
-    def carried_to(self, arrived: _Followed, epoch: int, symmetry: FloatArray) -> _Followed:
-        """The unit and, from an epoch on, what it was found to be elsewhere, with the leg numbers of the first place."""
-        t, u = self.track, arrived.track
-        track = Track(
-            t.rows | u.rows,
-            t.symmetries | {e: s @ symmetry for e, s in u.symmetries.items()},
-            t.ambiguous | u.ambiguous,
-            t.kind,
-            t.relocated | u.relocated | {epoch},
-        )
-        states = {e: s for e, s in self.states.items() if e < epoch} | {e: s for e, s in arrived.states.items() if e > epoch}
-        return _Followed(track, self.seen | {e: _sighted(s, symmetry) for e, s in arrived.seen.items()}, states)
-
-    def moved_far(self, epoch: int) -> bool:
-        """Whether it moved by a good part of its height into this epoch."""
-        before = [e for e in self.seen if e < epoch]
-        if epoch not in self.seen or not before:
-            return False
-        last, now = self.seen[max(before)], self.seen[epoch]
-        return float(np.linalg.norm(now.pose.centre - last.pose.centre)) > DOUBTFUL_MOVE_HEIGHTS * now.shape.height
-
-
-def _join_relocated(
-    tracks: list[Track], seen: list[dict[int, FittedUnit]], states: list[dict[int, str]], epochs: int
-) -> tuple[list[Track], list[dict[int, FittedUnit]], list[dict[int, str]]]:
-    """Join a unit that left its place with one that appeared elsewhere, where the relief of their surfaces proves them to be one.
-
-    Neither the place nor the size tells: waves carry units down, cranes put others on top, and moulded units differ in size by
-    millimetres. Without proof both stay what they are seen to be, lost and new. What seems to have moved far may be another unit in the
-    hole that the first one left: its track is parted where one of the two is recognised elsewhere.
-    """
-    followed = {k: _Followed(*parts) for k, parts in enumerate(zip(tracks, seen, states, strict=True)) if parts[1]}
-    for epoch in range(1, epochs):
-        parted: dict[int, tuple[int, _Followed]] = {}
-        for k, whole in list(followed.items()):
-            if whole.moved_far(epoch):
-                later = max(followed) + 1
-                parted[k] = later, whole
-                followed[k], followed[later] = whole.until(epoch), whole.since(epoch)
-        pairs = _recognised(
-            {k: f.seen[max(f.seen)] for k, f in followed.items() if max(f.seen) < epoch},
-            {k: f.seen[epoch] for k, f in followed.items() if min(f.seen) == epoch},
-        )
-        for old, new, symmetry in pairs:
-            if old not in parted or parted[old][0] != new:
-                followed[old] = followed[old].carried_to(followed.pop(new), epoch, symmetry)
-        elsewhere = {old for old, new, _ in pairs if old not in parted or parted[old][0] != new}
-        for k, (later, whole) in parted.items():
-            if k not in elsewhere and later in followed and later not in elsewhere:
-                followed[k] = whole
-                del followed[later]
-    return [f.track for f in followed.values()], [f.seen for f in followed.values()], [f.states for f in followed.values()]
-
-
-def _recognised(left: dict[int, FittedUnit], came: dict[int, FittedUnit]) -> list[tuple[int, int, FloatArray]]:
-    """Pairs of a unit that left its place and one that came to another, proved by their relief, with the symmetry of the second."""
-    if not left or not came:
-        return []
-    found = []
-    lost, arrived = (by_home((k, (s.cloud,)) for k, s in units.items()) for units in (left, came))
-    for first in range(0, len(lost), RELIEFS_HELD):
-        reliefs = {old: _relief_of(left[old]) for old in lost[first : first + RELIEFS_HELD]}
-        for new in arrived:
-            relief = _relief_of(came[new])
-            for old in reliefs:
-                if left[old].kind == came[new].kind:
-                    match = likeness(reliefs[old], relief, left[old].shape)
-                    if match.same_unit:
-                        found.append((match.lead, old, new, match.symmetry))
-    pairs: list[tuple[int, int, FloatArray]] = []
-    for _, old, new, symmetry in sorted(found, key=lambda item: -item[0]):
-        if all(old != a and new != b for a, b, _ in pairs):
-            pairs.append((old, new, symmetry))
-    return pairs
-
-
-def _relief_of(unit: FittedUnit) -> Texture:
-    points, sources = unit.cloud.read()
-    return texture(points, sources, unit.pose, unit.shape)
 
 
 def _adjust(seen: Sequence[dict[int, FittedUnit]]) -> tuple[JointAdjustment, dict[tuple[int, int], int]]:

@@ -769,7 +769,8 @@ def _tracked_epoch(
 ) -> TrackedEpoch:
     """Units of an epoch (its number) with their clouds in the control frame, less the common reduction point."""
     from .control import Transformation
-    from .tracking import FittedUnit, TrackedEpoch
+    from .fitted_unit import FittedUnit
+    from .tracking import TrackedEpoch
     from .unit_clouds import UnitCloud
 
     known = None if registration is None else registration.transformation

@@ -10,11 +10,12 @@ import pytest
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT
+from tetratrack.core.fitted_unit import FittedUnit
 from tetratrack.core.pose import Pose
 from tetratrack.core.result_rows import covariance_fields, feature_rows
 from tetratrack.core.surface_texture import Likeness, likeness, texture
 from tetratrack.core.tetrapod import sample_surface
-from tetratrack.core.tracking import FittedUnit, TrackedEpoch, Tracking, track
+from tetratrack.core.tracking import TrackedEpoch, Tracking, track
 from tetratrack.core.tracking_tables import unit_names, unit_tables
 from tetratrack.core.unit_clouds import UnitCloud
 

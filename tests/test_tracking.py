@@ -12,9 +12,10 @@ import pytest
 from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
 from tetratrack.core.control import Transformation
 from tetratrack.core.displacement import grades_from
+from tetratrack.core.fitted_unit import FittedUnit
 from tetratrack.core.pose import Pose
 from tetratrack.core.schema import LAYERS
-from tetratrack.core.tracking import FittedUnit, Surroundings, TrackedEpoch, Tracking, track
+from tetratrack.core.tracking import Surroundings, TrackedEpoch, Tracking, track
 from tetratrack.core.tracking_tables import TableOptions, cross_check_rows, displacement_rows, pair_rows, unit_names, velocity_rows
 from tetratrack.core.unit_clouds import UnitCloud
 
