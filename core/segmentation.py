@@ -202,7 +202,7 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
         typical = _typical_unit(chosen.evidence) if turn == 0 else typical
         if turn > 0 and not any(score(row, tolerance, typical) > WORTH_ANOTHER_PASS for row in chosen.evidence):
             break
-    poses, table, owner = _settled(elements, poses, unit, tolerance, grid)
+    poses, table, owner = _settled(elements, poses, unit, tolerance, grid, rounds=1)
     # chance alignments claim points of units: a last look without them
     unlikely = np.array([score(row, tolerance, _typical_unit(table)) < CHANCE_SCORE for row in table], dtype=np.bool_)
     active = ~np.isin(owner, np.flatnonzero(~unlikely))
@@ -214,7 +214,7 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     known = without_copies(np.vstack([poses[unlikely], candidates]), unit.symmetries, same, turned)
     candidates = candidates[known[known >= unlikely.sum()] - unlikely.sum()]
     chosen = select(candidates, elements, active, grid, unit, tolerance, poses[~unlikely])
-    poses, table, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), unit, tolerance, grid)
+    poses, table, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), unit, tolerance, grid, rounds=2)
     typical = _typical_unit(table)
     sure = np.array([score(row, tolerance, typical) >= FOUND_SCORE for row in table], dtype=np.bool_)
     poses, certainty = settle_twists(poses, table, sure, elements, owner, grid, unit, tolerance)
@@ -222,12 +222,12 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
 
 
 def _settled(
-    elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolerance: float, grid: Grid
+    elements: SurfaceElements, poses: FloatArray, unit: UnitType, tolerance: float, grid: Grid, *, rounds: int
 ) -> tuple[FloatArray, FloatArray, IntArray]:
     """Poses refined on their exclusive points, the evidence for each, and the owner of every element."""
     poses = poses.copy()
     table = np.zeros((len(poses), 7))
-    for _ in range(2):
+    for _ in range(rounds):
         owner, _ = assign(elements.points, poses, unit, 2.5 * tolerance)
         doubtful = contested(elements.points, owner, poses, unit, CLEARANCE_IN_NOISE * elements.element_noise)
         for k in range(len(poses)):
@@ -302,7 +302,8 @@ def _unlikeness(row: FloatArray, tolerance: float, typical: TypicalUnit) -> floa
         20 * max(0.0, row[RMS] / tolerance - 0.5)
         # few elements align by chance
         + 4 * max(0.0, 1 - row[SUPPORT] / FEW_ELEMENTS)
-        + 8 * max(0.0, 0.8 - row[SUPPORT] / row[CLOSE] / max(typical.agreement, 1e-12))
+        # what is odd in few elements is telling in many
+        + 20 * max(0.0, 1 - 3 / np.sqrt(row[CLOSE]) - row[SUPPORT] / row[CLOSE] / max(typical.agreement, 1e-12))
     )
 
 

@@ -62,32 +62,35 @@ def select(
     good = good[without_copies(candidates[good], unit.symmetries, 0.08 * unit.height, np.cos(np.radians(10)))]
     queue = [(-value[k], k, 0) for k in good]
     heapq.heapify(queue)
-    poses: list[FloatArray] = []
+    count = len(accepted)
+    standing = np.vstack([accepted, np.zeros((len(queue), 12))])
     rows: list[FloatArray] = []
     while queue:
         old, k, seen = heapq.heappop(queue)
         pose = candidates[k]
-        if any(np.sum((p[:3] - pose[:3]) ** 2) < (0.3 * unit.height) ** 2 for p in (*accepted, *poses)):
+        away = np.sum((standing[:count, :3] - pose[:3]) ** 2, axis=1)
+        if (away < (0.3 * unit.height) ** 2).any():
             continue
         # only a claim made nearby since the last judgement can have changed it
-        if any(np.sum((p[:3] - pose[:3]) ** 2) < (1.5 * unit.height) ** 2 for p in poses[seen:]):
+        if (away[len(accepted) + seen :] < (1.5 * unit.height) ** 2).any():
             row = judge(pose[None])[0]
             if not plausible(row, tolerance):
                 continue
             if worth(row) < -old - 1e-9:
-                heapq.heappush(queue, (-worth(row), k, len(poses)))
+                heapq.heappush(queue, (-worth(row), k, len(rows)))
                 continue
         finer = refine(pose[None], elements.points, elements.normals, active, grid, unit, tolerance, most=1500, sweeps=20)[0]
         row = judge(finer[None])[0]
         if worth(row) < -old * 0.9:
             finer, row = pose, judge(pose[None])[0]
-        near = [p for p in (*accepted, *poses) if np.sum((p[:3] - finer[:3]) ** 2) < (1.29 * unit.height) ** 2]
-        if not plausible(row, tolerance) or any(overlap(finer, p, unit) > MOST_OVERLAP for p in near):
+        near = np.flatnonzero(np.sum((standing[:count, :3] - finer[:3]) ** 2, axis=1) < (1.29 * unit.height) ** 2)
+        if not plausible(row, tolerance) or any(overlap(finer, standing[j], unit) > MOST_OVERLAP for j in near):
             continue
         claim(finer, elements.points, active, grid, unit, tolerance)
-        poses.append(finer)
+        standing[count] = finer
+        count += 1
         rows.append(row)
-    return Accepted(np.array(poses).reshape(-1, 12), np.array(rows).reshape(-1, 7))
+    return Accepted(standing[len(accepted) : count], np.array(rows).reshape(-1, 7))
 
 
 @kernel()
