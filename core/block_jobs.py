@@ -167,7 +167,7 @@ class FitJob:
             unit = self.units[kind]
             table["shape"][k] = unit.radius, unit.gradient
             options = AdjustmentOptions(radius_sd=self.shape_sds[kind][0], gradient_sd=self.shape_sds[kind][1])
-            used = np.ones(len(points), dtype=np.bool_)
+            used = kept = np.ones(len(points), dtype=np.bool_)
             covariances = None
             if self.beams is not None:
                 covariances = covariances_of(source, own, self.beams, unit)
@@ -195,9 +195,12 @@ class FitJob:
                 table["observed"][k, 0] = table["coverage"][k] >= OBSERVED_CENTRE_COVERAGE
                 on_disc = result.legs[used & (result.parts == END_DISC)]
                 table["discs"][k] = np.bincount(on_disc[on_disc >= 0], minlength=4) > 0
-            parts.append(points)
-            sources.append(source["sources"][own])
-            sizes.append(len(points))
+                if result.legs_visible == 1:
+                    # the few points that chance puts on the other legs would settle a twist that nothing shows
+                    kept = result.legs == np.argmax(np.bincount(result.legs[used]))
+            parts.append(points[kept])
+            sources.append(source["sources"][own][kept])
+            sizes.append(int(kept.sum()))
         return table | {
             "origin": source["origin"],
             "points": np.concatenate(parts) if parts else np.empty((0, 3)),

@@ -252,11 +252,18 @@ def read_targets(path: str | Path) -> SurveyedPoints:
 
 
 def read_point_table(
-    path: str | Path, columns: Sequence[str], *, positive: Iterable[str] = (), text: Iterable[str] = ("point_id",), unique: bool = True
+    path: str | Path,
+    columns: Sequence[str],
+    *,
+    positive: Iterable[str] = (),
+    text: Iterable[str] = ("point_id",),
+    unique: bool = True,
+    may_be_empty: bool = False,
 ) -> list[dict[str, Any]]:
     """Read a CSV of points: numbers as float, ``text`` columns as str; the key ``line`` tells where a row stands.
 
-    Further columns are kept if they hold numbers. The first of ``text`` is the name and must be unique unless ``unique`` is False.
+    Further columns are kept if they hold numbers. The first of ``text`` is the name and must be unique unless ``unique`` is False. No
+    points at all are an error unless they ``may_be_empty``.
 
     Raises
     ------
@@ -324,7 +331,7 @@ def read_point_table(
             )
         seen.setdefault(key, number)
         rows.append(row)
-    if not rows:
+    if not (rows or may_be_empty):
         raise InputError("holds no points", source=source, remedy="Write one line for each point under the header.")
     return rows
 

@@ -100,14 +100,14 @@ class ErrorSummary:
 
 
 def read_check(path: str | Path) -> tuple[CheckPoint, ...]:
-    """Read check points.
+    """Read check points; a header without points is a survey in which nothing was checked.
 
     Raises
     ------
     InputError
         With the line and field at fault.
     """
-    rows = read_point_table(path, CHECK_COLUMNS, positive=("sd",))
+    rows = read_point_table(path, CHECK_COLUMNS, positive=("sd",), may_be_empty=True)
     return tuple(
         CheckPoint(
             row["point_id"],

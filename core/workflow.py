@@ -111,13 +111,15 @@ class RunOptions:
 
 
 def plan_survey(survey: Survey, feedback: Feedback | None = None) -> tuple[EpochPlan, ...]:
-    """Check the headers of all tiles, so that what is wrong is said before hours of work, and cut epochs into blocks.
+    """Check the headers of all tiles and the tables of points, so that what is wrong is said before hours of work; cut epochs into blocks.
 
     Raises
     ------
     InputError
-        The first tile that cannot be used.
+        The first tile or table that cannot be used.
     """
+    from .validation import read_check
+
     feedback = feedback or Feedback()
     height = max(unit.type.height for unit in survey.units)
     plans = []
@@ -128,6 +130,8 @@ def plan_survey(survey: Survey, feedback: Feedback | None = None) -> tuple[Epoch
             read_trajectory(epoch.trajectory)
         if epoch.stations is not None:
             read_stations(epoch.stations)
+        if epoch.check is not None:
+            read_check(epoch.check)
         tiles = []
         for path in epoch.tiles:
             feedback.check()

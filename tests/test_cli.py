@@ -80,6 +80,13 @@ def test_mistakes_in_the_survey(site: Path, tiles: str, more: str, said: tuple[s
     _refused(site, _run(site), "survey.toml", *said)
 
 
+def test_a_bad_table_of_check_points_is_refused_before_the_tiles_are_looked_at(site: Path) -> None:
+    (site / "check.csv").write_text("point_id,x,y,z\nK1,1,2,3\n", encoding="utf-8")
+    _text(site)
+    _survey(site, "tiles/*.la[sz]", 'check = "check.csv"')
+    _refused(site, _run(site), "check.csv, line 1: has no column unit_easting")
+
+
 def _text(site: Path) -> str:
     (site / "tiles" / "bad.las").write_text("x,y,z\n" * 200)
     return "is not a LAS or LAZ file"

@@ -119,6 +119,12 @@ def test_check_points_find_their_unit_and_feature(tmp_path: Path) -> None:
     assert validation.residual_rows(residuals)[9]["unit_id"] is None
 
 
+def test_a_survey_in_which_nothing_was_checked(tmp_path: Path) -> None:
+    path = tmp_path / "check.csv"
+    path.write_text(CHECK_HEADER, encoding="utf-8")
+    assert validation.read_check(path) == ()
+
+
 def test_mistakes_in_check_and_picks_are_placed(tmp_path: Path) -> None:
     path = tmp_path / "check.csv"
     path.write_text(f"{CHECK_HEADER}\nK1,1,2,3,4,5,6,-1", encoding="utf-8")

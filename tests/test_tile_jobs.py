@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from tetratrack.core.block_jobs import adjusted_nearby, owners
+from tetratrack.core.block_jobs import FitJob, adjusted_nearby, owners
 from tetratrack.core.errors import Cancelled, InputError, OutputError, TetratrackError
 from tetratrack.core.gauss_helmert import AdjustmentOptions, adjust
 from tetratrack.core.pose import Pose
@@ -192,3 +192,37 @@ def test_an_adjustment_that_leaves_the_unit_is_made_anew_with_its_end_disc():
     elsewhere = Pose(np.array([0.0, 0.0, 4.0]), pose.rotation)
     with pytest.raises(InputError, match="near"):
         adjusted_nearby(cloud, unit, elsewhere, options, None)
+
+
+def test_points_that_chance_puts_on_hidden_legs_do_not_settle_a_twist(tmp_path: Path) -> None:
+    unit = UnitType.tetrapod(2.3)
+    rng = np.random.default_rng(3)
+    pose = Pose(np.array([1.0, 2.0, 0.5]), Rotation.random(random_state=3).as_matrix())
+    points, _, leg = sample_surface(unit, 8000, rng)
+    axial = points @ unit.leg_directions[1]
+    shown = (leg == 1) & (axial > 0.25 * unit.height)
+    stray = np.flatnonzero(leg == 2)[:5]
+    cloud = pose.to_frame(points[np.append(np.flatnonzero(shown), stray)])
+    cloud += rng.normal(0, 0.004, cloud.shape)
+    one = {name: np.ones(1) for name in ("score", "coverage", "misfit", "supported")}
+    whole = {"type": np.zeros(1, dtype=np.int64), "legs_visible": np.ones(1, dtype=np.int64), "status": np.array(["found"], dtype="U9")}
+    save_arrays(
+        tmp_path / "segment.npz",
+        one
+        | whole
+        | {
+            "poses": np.concatenate([pose.centre, pose.rotation.ravel()])[None],
+            "origin": np.zeros(3),
+            "points": cloud,
+            "sources": np.ones(len(cloud), dtype=np.uint16),
+            "offsets": np.array([0, len(cloud)]),
+        },
+    )
+    fitted = FitJob(tmp_path / "segment.npz", (0,), (unit,), ((0.0, 0.0),)).run()
+    kept = pose.to_body(fitted["points"])
+    assert fitted["legs_visible"].tolist() == [1]
+    assert not fitted["determined"][0]
+    assert 0.7 * shown.sum() < len(kept) <= shown.sum()
+    assert (np.argmax(kept @ unit.leg_directions.T, axis=1) == 1).all()
+    assert fitted["offsets"].tolist() == [0, len(kept)]
+    assert len(fitted["sources"]) == len(kept)
