@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from .errors import InputError
 from .pose import Pose
@@ -177,17 +178,23 @@ class FitJob:
                 # too little is seen of it for an adjustment: it stays as segmented, as uncertain evidence without covariance
                 table["status"][k] = "uncertain"
             else:
-                table["poses"][k] = _row(result.pose)
+                used = result.weights > 0
+                pose = result.pose
+                if result.legs_visible == 1:
+                    leg = int(np.argmax(np.bincount(result.legs[used])))
+                    # the few points that chance puts on the other legs would settle a twist that nothing shows
+                    kept = result.legs == leg
+                    pose = twisted_as(pose, _pose(table["poses"][k]), unit.leg_directions[leg])
+                table["poses"][k] = _row(pose)
                 table["shape"][k] = result.radius, result.gradient
                 table["covariance"][k] = result.covariance
                 table["sigma0"][k], table["noise"][k], table["n_effective"][k] = result.sigma0, result.noise, result.n_effective
                 table["converged"][k] = result.converged
                 table["determined"][k] = len(result.undetermined) == 0
                 table["legs_visible"][k] = result.legs_visible
-                used = result.weights > 0
                 table["n_points"][k] = int(used.sum())
                 table["distance_median"][k] = _median_distance(points[used], result.pose, result.unit(unit))
-                features = result.pose.to_frame(body_features(result.unit(unit)))
+                features = pose.to_frame(body_features(result.unit(unit)))
                 for j, triple in enumerate(TRIPLES, start=1):
                     away = np.linalg.norm(points - features[j], axis=1)
                     near = result.legs[(away < NEAR_FEATURE_HEIGHTS * unit.height) & (result.legs >= 0)]
@@ -195,9 +202,6 @@ class FitJob:
                 table["observed"][k, 0] = table["coverage"][k] >= OBSERVED_CENTRE_COVERAGE
                 on_disc = result.legs[used & (result.parts == END_DISC)]
                 table["discs"][k] = np.bincount(on_disc[on_disc >= 0], minlength=4) > 0
-                if result.legs_visible == 1:
-                    # the few points that chance puts on the other legs would settle a twist that nothing shows
-                    kept = result.legs == np.argmax(np.bincount(result.legs[used]))
             parts.append(points[kept])
             sources.append(source["sources"][own][kept])
             sizes.append(int(kept.sum()))
@@ -231,6 +235,17 @@ def adjusted_nearby(
         if np.linalg.norm(result.pose.centre - pose.centre) < NEARBY_HEIGHTS * unit.height:
             return result
     raise InputError("no adjustment stays near the pose that was found", remedy="Check the points of the unit.")
+
+
+def twisted_as(pose: Pose, known: Pose, axis: FloatArray) -> Pose:
+    """The pose turned about a leg's (3,) axis, body frame, so that its twist about it is that of the known pose.
+
+    The twist of a unit of which one leg shows is settled by the room among its neighbours; its points only let it drift.
+    """
+    along = pose.rotation @ axis
+    x, y, z, w = Rotation.from_matrix(known.rotation @ pose.rotation.T).as_quat()
+    twist = 2 * np.arctan2(np.dot([x, y, z], along), w)
+    return Pose(pose.centre, Rotation.from_rotvec(twist * along).as_matrix() @ pose.rotation)
 
 
 SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported")

@@ -56,6 +56,21 @@ def overlap_shares(
     return shares
 
 
+def entering(poses: FloatArray, kinds: NDArray[np.int64], units: Sequence[UnitType], scores: FloatArray, most: float) -> NDArray[np.bool_]:
+    """(k,) units that share more than ``most`` of a volume with one of higher score that does not do so itself; arguments as above."""
+    inside = np.zeros(len(poses), dtype=np.bool_)
+    if len(poses) < 2:
+        return inside
+    tree = cKDTree(poses[:, :3])
+    rank = np.argsort(np.argsort(-scores, kind="stable"))
+    for k in np.argsort(rank):
+        near = tree.query_ball_point(poses[k, :3], REACH_HEIGHTS * max(unit.height for unit in units))
+        stronger = [j for j in near if rank[j] < rank[k] and not inside[j]]
+        pairs = [pair for j in stronger for pair in ((k, j), (j, k))]
+        inside[k] = any(overlap(poses[a], poses[b], units[kinds[a]], units[kinds[b]]) > most for a, b in pairs)
+    return inside
+
+
 def pose_table(rows: Sequence[Mapping[str, Any]]) -> FloatArray:
     """(k, 12) centre and rotation by rows of rows of the layer ``units`` that have a geometry."""
     poses = [Pose.from_quaternion(row["geometry"], [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in rows]

@@ -300,8 +300,23 @@ def fit_epochs(
     for epoch in epochs:
         own = tuple(next(files) for _ in epoch.files)
         arrays = [loaded_arrays(path, without=POINT_ARRAYS) for path in own]
-        result.append(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own, epoch.units))
+        result.append(_solid(_collected(epoch.plan, arrays, [np.arange(len(a["poses"])) for a in arrays], own, epoch.units)))
     return tuple(result)
+
+
+def _solid(epoch: EpochUnits) -> EpochUnits:
+    """The epoch with units uncertain that their adjustment moved into a stronger one."""
+    from .quality import entering
+    from .segmentation import MOST_INTERPENETRATION
+
+    status = np.array(epoch.table["status"])
+    found = np.flatnonzero(status == "found")
+    poses = np.array(epoch.table["poses"][found], dtype=np.float64)
+    # differences of seven-digit coordinates lose digits
+    poses[:, :3] -= np.round(poses[:, :3].mean(axis=0)) if len(found) else 0.0
+    inside = entering(poses, epoch.table["type"][found], epoch.units, epoch.table["score"][found], MOST_INTERPENETRATION)
+    status[found[inside]] = "uncertain"
+    return replace(epoch, table={**epoch.table, "status": status})
 
 
 def write_result(path: str | Path, survey_crs: str, tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> None:

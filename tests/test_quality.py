@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 from synthetic_units import UNIT
 from tetratrack.core.pose import Pose
-from tetratrack.core.quality import add_neighbours, describe, nearest_centres, overlap_shares, summarise_epoch
+from tetratrack.core.quality import add_neighbours, describe, entering, nearest_centres, overlap_shares, summarise_epoch
 from tetratrack.core.tetrapod import relate
 from tetratrack.core.unit_types import UnitType
 
@@ -80,3 +80,14 @@ def test_rows_and_summary_of_an_epoch() -> None:
     add_neighbours(alone, [UNIT])
     assert alone[0]["nearest_centre"] is None
     assert summarise_epoch([], None)["distance_median"] is None
+
+
+def test_the_weaker_of_two_that_share_a_volume_is_told() -> None:
+    apart = 0.52 * UNIT.height
+    centres = np.array([[0.0, 0, 0], [apart, 0, 0], [apart + 3 * UNIT.height, 0, 0]])
+    poses = np.column_stack([centres, np.tile(np.eye(3).ravel(), (3, 1))])
+    kinds = np.zeros(3, dtype=np.int64)
+    assert overlap_shares(poses, kinds, [UNIT]).max() > 0.01
+    assert entering(poses, kinds, [UNIT], np.array([0.9, 0.8, 0.7]), 0.01).tolist() == [False, True, False]
+    assert entering(poses, kinds, [UNIT], np.array([0.8, 0.9, 0.7]), 0.01).tolist() == [True, False, False]
+    assert not entering(poses, kinds, [UNIT], np.array([0.9, 0.8, 0.7]), 0.9).any()
