@@ -71,6 +71,13 @@ def entering(poses: FloatArray, kinds: NDArray[np.int64], units: Sequence[UnitTy
     return inside
 
 
+def reduced(poses: FloatArray) -> FloatArray:
+    """(k, 12) poses less a common point near their middle: differences of seven-digit coordinates lose digits."""
+    if not len(poses):
+        return poses
+    return np.column_stack([poses[:, :3] - np.round(poses[:, :3].mean(axis=0)), poses[:, 3:]])
+
+
 def pose_table(rows: Sequence[Mapping[str, Any]]) -> FloatArray:
     """(k, 12) centre and rotation by rows of rows of the layer ``units`` that have a geometry."""
     poses = [Pose.from_quaternion(row["geometry"], [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in rows]
@@ -89,9 +96,7 @@ def add_neighbours(rows: Sequence[Row], units: Sequence[UnitType]) -> None:
         own = [row for row in rows if row["epoch"] == label and row["geometry"] is not None]
         if not own:
             continue
-        poses = pose_table(own)
-        # differences of seven-digit coordinates lose digits
-        poses[:, :3] -= np.round(poses[:, :3].mean(axis=0))
+        poses = reduced(pose_table(own))
         accepted = np.array([row["status"] in ACCEPTED for row in own], dtype=np.bool_)
         nearest, shares = nearest_centres(poses[:, :3]), overlap_shares(poses, kinds_of(own, units), units, accepted)
         for row, distance, share in zip(own, nearest, shares, strict=True):

@@ -29,7 +29,7 @@ from .pose import Pose
 from .surface_elements import SurfaceElements, surface_elements
 from .twist import settle_twists
 from .unit_types import UnitType
-from .verification import overlap, select, without_copies
+from .verification import distinct, overlap, select
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -188,12 +188,7 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     poses = np.zeros((0, 12))
     typical = _typical_unit(np.zeros((0, 7)))
     for turn in range(PASSES):
-        legs = find_legs(elements, active, grid, unit, tolerance, seed + turn)
-        candidates = poses_from_pairs(legs, unit)
-        if turn > 0:
-            single = poses_from_single_legs(legs, elements.points, active, grid, unit, tolerance)
-            candidates = np.vstack([candidates, single])
-        candidates = refine(candidates, elements.points, elements.normals, active, grid, unit, tolerance, most=250, sweeps=8)
+        candidates = _candidates(elements, active, grid, unit, tolerance, seed + turn, twists=2 if turn > 0 else 0)
         chosen = select(candidates, elements, active, grid, unit, tolerance, poses)
         poses = np.vstack([poses, chosen.poses])
         if turn == 0 and len(chosen.poses) >= 3:
@@ -204,21 +199,30 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
             break
     poses, table, owner = _settled(elements, poses, unit, tolerance, grid, rounds=1)
     # chance alignments claim points of units: a last look without them
-    unlikely = np.array([score(row, tolerance, _typical_unit(table)) < CHANCE_SCORE for row in table], dtype=np.bool_)
+    typical = _typical_unit(table)
+    unlikely = np.array([score(row, tolerance, typical) < CHANCE_SCORE for row in table], dtype=np.bool_)
     active = ~np.isin(owner, np.flatnonzero(~unlikely))
-    legs = find_legs(elements, active, grid, unit, tolerance, seed + PASSES)
-    single = poses_from_single_legs(legs, elements.points, active, grid, unit, tolerance, twists=5)
-    candidates = np.vstack([poses_from_pairs(legs, unit), single])
-    candidates = refine(candidates, elements.points, elements.normals, active, grid, unit, tolerance, most=250, sweeps=8)
-    same, turned = 0.08 * height, np.cos(np.radians(10))
-    known = without_copies(np.vstack([poses[unlikely], candidates]), unit.symmetries, same, turned)
-    candidates = candidates[known[known >= unlikely.sum()] - unlikely.sum()]
+    candidates = _candidates(elements, active, grid, unit, tolerance, seed + PASSES, twists=5)
+    chance = int(unlikely.sum())
+    known = distinct(np.vstack([poses[unlikely], candidates]), unit)
+    candidates = candidates[known[known >= chance] - chance]
     chosen = select(candidates, elements, active, grid, unit, tolerance, poses[~unlikely])
     poses, table, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), unit, tolerance, grid, rounds=2)
     typical = _typical_unit(table)
     sure = np.array([score(row, tolerance, typical) >= FOUND_SCORE for row in table], dtype=np.bool_)
     poses, certainty = settle_twists(poses, table, sure, elements, owner, grid, unit, tolerance)
     return JudgedPoses(elements, poses, table, certainty, tolerance, typical)
+
+
+def _candidates(
+    elements: SurfaceElements, active: NDArray[np.bool_], grid: Grid, unit: UnitType, tolerance: float, seed: int, *, twists: int
+) -> FloatArray:
+    """Refined poses (k, 12) from pairs of legs among the active elements, and from single legs with so many ``twists`` each, if any."""
+    legs = find_legs(elements, active, grid, unit, tolerance, seed)
+    found = [poses_from_pairs(legs, unit)]
+    if twists:
+        found.append(poses_from_single_legs(legs, elements.points, active, grid, unit, tolerance, twists=twists))
+    return refine(np.vstack(found), elements.points, elements.normals, active, grid, unit, tolerance, most=250, sweeps=8)
 
 
 def _settled(

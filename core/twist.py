@@ -31,6 +31,7 @@ TURN = 2 * np.pi / 3
 """A leg's axis is one of threefold symmetry: twists repeat after this angle."""
 STEPS = 30
 """Twists looked at, four degrees apart."""
+ANGLES = np.arange(STEPS) * TURN / STEPS
 WORTH_SCALE = 0.04
 """Share of its worth that makes a twist less likely by a factor e: a few of a hundred elements, which chance easily aligns."""
 ROOM_SD = 0.015
@@ -96,7 +97,7 @@ def settle_twists(
     alone = {k: _twist(values[k], np.zeros(STEPS), unit) for k in leg}
     for k in sorted(leg, key=lambda k: (alone[k].sd, k)):
         near = [j for j in standing if np.sum((poses[j, :3] - poses[k, :3]) ** 2) < (2 * unit.reach) ** 2]
-        twists = _turned(poses[k], leg[k], np.arange(STEPS) * TURN / STEPS, unit)
+        twists = _turned(poses[k], leg[k], ANGLES, unit)
         entered = np.array([max((overlap(pose, poses[j], unit) for j in near), default=0.0) for pose in twists])
         known = _twist(values[k], entered, unit)
         if known.sd > OPEN_TWIST:
@@ -126,7 +127,7 @@ def _worth_of_twists(
     pose: FloatArray, leg: int, own: BoolArray, elements: SurfaceElements, grid: Grid, unit: UnitType, tolerance: float
 ) -> FloatArray:
     """(STEPS,) worth of the pose in every twist about a leg."""
-    twists = _turned(pose, leg, np.arange(STEPS) * TURN / STEPS, unit)
+    twists = _turned(pose, leg, ANGLES, unit)
     rows = evidence(twists, elements.points, elements.normals, elements.curved, own, grid, unit, tolerance, elements.noise)
     return np.array([worth(row) for row in rows])
 
@@ -137,9 +138,8 @@ def _twist(values: FloatArray, entered: FloatArray, unit: UnitType) -> Twist:
     exponent = loss / WORTH_SCALE + 0.5 * (entered / ROOM_SD) ** 2
     likely = np.exp(exponent.min() - exponent)
     likely /= likely.sum()
-    angles = np.arange(STEPS) * TURN / STEPS
-    mean = float(np.angle(np.sum(likely * np.exp(3j * angles))) / 3)
-    away = np.abs((angles - mean + TURN / 2) % TURN - TURN / 2)
+    mean = float(np.angle(np.sum(likely * np.exp(3j * ANGLES))) / 3)
+    away = np.abs((ANGLES - mean + TURN / 2) % TURN - TURN / 2)
     within = _tolerated(unit)
     # where all twists are alike a guess is already right as often as this
     chance = 2 * within / TURN

@@ -59,8 +59,8 @@ def select(
     value = np.array([worth(row) for row in table])
     good = np.flatnonzero([plausible(row, tolerance) for row in table])
     good = good[np.argsort(-value[good], kind="stable")]
-    good = good[without_copies(candidates[good], unit.symmetries, 0.08 * unit.height, np.cos(np.radians(10)))]
-    queue = [(-value[k], k, 0) for k in good]
+    good = good[distinct(candidates[good], unit)]
+    queue = [(-value[k], k, len(accepted)) for k in good]
     heapq.heapify(queue)
     count = len(accepted)
     standing = np.vstack([accepted, np.zeros((len(queue), 12))])
@@ -72,12 +72,12 @@ def select(
         if (away < (0.3 * unit.height) ** 2).any():
             continue
         # only a claim made nearby since the last judgement can have changed it
-        if (away[len(accepted) + seen :] < (1.5 * unit.height) ** 2).any():
+        if (away[seen:] < (1.5 * unit.height) ** 2).any():
             row = judge(pose[None])[0]
             if not plausible(row, tolerance):
                 continue
             if worth(row) < -old - 1e-9:
-                heapq.heappush(queue, (-worth(row), k, len(rows)))
+                heapq.heappush(queue, (-worth(row), k, count))
                 continue
         finer = refine(pose[None], elements.points, elements.normals, active, grid, unit, tolerance, most=1500, sweeps=20)[0]
         row = judge(finer[None])[0]
@@ -91,6 +91,11 @@ def select(
         count += 1
         rows.append(row)
     return Accepted(standing[len(accepted) : count], np.array(rows).reshape(-1, 7))
+
+
+def distinct(poses: FloatArray, unit: UnitType) -> IntArray:
+    """Indices of (k, 12) candidates, best first, that are not near-copies of a better one."""
+    return np.asarray(without_copies(poses, unit.symmetries, 0.08 * unit.height, np.cos(np.radians(10))))
 
 
 @kernel()

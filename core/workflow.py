@@ -306,14 +306,12 @@ def fit_epochs(
 
 def _solid(epoch: EpochUnits) -> EpochUnits:
     """The epoch with units uncertain that their adjustment moved into a stronger one."""
-    from .quality import entering
+    from .quality import entering, reduced
     from .segmentation import MOST_INTERPENETRATION
 
     status = np.array(epoch.table["status"])
     found = np.flatnonzero(status == "found")
-    poses = np.array(epoch.table["poses"][found], dtype=np.float64)
-    # differences of seven-digit coordinates lose digits
-    poses[:, :3] -= np.round(poses[:, :3].mean(axis=0)) if len(found) else 0.0
+    poses = reduced(epoch.table["poses"][found])
     inside = entering(poses, epoch.table["type"][found], epoch.units, epoch.table["score"][found], MOST_INTERPENETRATION)
     status[found[inside]] = "uncertain"
     return replace(epoch, table={**epoch.table, "status": status})
