@@ -216,7 +216,8 @@ def _twist_search(
         near = gather(points, active, centres[i], 0.85 * height, start, order, origin, size, cell, 260)
         m = len(near)
         axis = axes[i]
-        help_axis = np.array([1.0, 0.0, 0.0]) if abs(axis[0]) < 0.8 else np.array([0.0, 1.0, 0.0])
+        help_axis = np.zeros(3)
+        help_axis[0 if abs(axis[0]) < 0.8 else 1] = 1.0
         e1 = np.cross(axis, help_axis)
         e1 /= np.sqrt(np.sum(e1 * e1))
         e2 = np.cross(axis, e1)
@@ -404,7 +405,8 @@ def _evidence_of_one(
     first = np.empty((4, 3))
     second = np.empty((4, 3))
     for k in range(4):
-        help_axis = np.array([0.0, 0.0, 1.0]) if abs(legs[k, 2]) < 0.9 else np.array([1.0, 0.0, 0.0])
+        help_axis = np.zeros(3)
+        help_axis[2 if abs(legs[k, 2]) < 0.9 else 0] = 1.0
         e1 = np.cross(help_axis, legs[k])
         first[k] = e1 / np.sqrt(np.sum(e1 * e1))
         second[k] = np.cross(legs[k], first[k])

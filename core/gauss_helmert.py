@@ -803,7 +803,7 @@ def _row_excess(feet, legs, parts, weights, sds, rotation, axes, shape, cov, str
         lateral = parts[i] == 0
         along_t = along_g = 1.0
         if has_cov:
-            n, g, t = np.array([ax, ay, az]), np.array([ux, uy, uz]), np.array([tx, ty, tz])
+            n, g, t = np.array((ax, ay, az)), np.array((ux, uy, uz)), np.array((tx, ty, tz))
             if lateral:
                 n, g = (g + c * n) * cosine, (n - c * g) * cosine
             body_cov = rotation.T @ cov[i] @ rotation
@@ -835,7 +835,7 @@ def _turned(rotation, vector):  # type: ignore[no-untyped-def]
     first = math.sin(angle) / angle if angle > 1e-6 else 1.0 - angle * angle / 6.0
     half = math.sin(0.5 * angle) / (0.5 * angle) if angle > 1e-6 else 1.0 - angle * angle / 24.0
     second = 0.5 * half * half
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    cross = np.array(((0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0)))
     turn = np.eye(3) + first * cross + second * (cross @ cross)
     return rotation @ turn
 

@@ -1,4 +1,8 @@
-"""How the loops over points are compiled."""
+"""How the loops over points are compiled.
+
+Arrays in a compiled loop are made from tuples, ``np.array((x, y, z))``, never from lists: numba (0.68.1) rewrites lists in different
+branches under the same names, and then fails to compile, or not, by what else the process has compiled before.
+"""
 
 from __future__ import annotations
 
