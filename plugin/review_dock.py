@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from qgis.core import Qgis, QgsApplication, QgsProject, QgsSettings, QgsTask, QgsVectorLayer
+from qgis.core import Qgis, QgsApplication, QgsProject, QgsSettings, QgsVectorLayer
 from qgis.gui import QgsCheckableComboBox, QgsDockWidget, QgsFilterLineEdit, QgsMapCanvas
 from qgis.PyQt.QtCore import QSize, Qt, QTimer
 from qgis.PyQt.QtGui import QAction, QCloseEvent, QResizeEvent
@@ -60,7 +60,7 @@ from ..core.unit_edits import (
     undo_edit,
 )
 from ..core.unit_points import PointIndex, index_folder
-from .engine import EngineCancelled, EngineError, Listener, run_engine
+from .engine_task import EngineTask
 from .review_map import ClickTool, ReviewMap
 from .review_plots import SeriesView, UnitScene, UnitView
 from .review_store import ReviewStore, Topic
@@ -76,35 +76,6 @@ OTHERS_MILLISECONDS = 2000
 """How often the decisions of other reviewers are taken in."""
 PICK_SD_SPACINGS = 1.0
 """Standard deviation of one picked coordinate in point spacings: a pick lands on the nearest point."""
-
-
-class EngineTask(QgsTask):
-    """One engine run in the background; ``done`` is called in the main thread with its outputs or a message."""
-
-    def __init__(self, title: str, arguments: list[str], done: Callable[[dict[str, Any] | None, str], None]) -> None:
-        super().__init__(title, QgsTask.Flag.CanCancel)
-        self._arguments, self._done = arguments, done
-        self._outputs: dict[str, Any] | None = None
-        self._message = ""
-
-    def run(self) -> bool:
-        """Run in a worker thread."""
-
-        def ignore(message: str) -> None:
-            """The dock shows the outcome only; the log is in the run record."""
-
-        listener = Listener(lambda fraction, message: self.setProgress(100 * fraction), ignore, ignore, self.isCanceled)
-        try:
-            self._outputs = run_engine(self._arguments, listener)
-        except EngineCancelled:
-            self._message = tr("Cancelled.")
-        except EngineError as error:
-            self._message = str(error)
-        return self._outputs is not None
-
-    def finished(self, result: bool) -> None:
-        """Report in the main thread."""
-        self._done(self._outputs, self._message)
 
 
 @dataclass
