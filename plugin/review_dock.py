@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import getpass
-import html
 import math
 from collections.abc import Callable
 from contextlib import suppress
@@ -41,9 +40,9 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..core.alarms import write_alarms
-from ..core.displacement_rows import CheckComparison, check_comparisons, series
+from ..core.displacement_rows import series
 from ..core.errors import TetratrackError
-from ..core.outline import LEG_LENGTH_RATIO, VOLUME_RATIO
+from ..core.outline import LEG_LENGTH_RATIO
 from ..core.reviews import Decision
 from ..core.schema import CLASSES, FEATURES
 from ..core.unit_edits import (
@@ -61,11 +60,12 @@ from ..core.unit_edits import (
 )
 from ..core.unit_points import PointIndex, index_folder
 from .engine_task import EngineTask
+from .review_details import counts_html, history_html, numbers_html
 from .review_map import ClickTool, ReviewMap
 from .review_plots import SeriesView, UnitScene, UnitView
 from .review_store import ReviewStore, Topic
 from .review_table import ReviewModel, ReviewTable
-from .review_text import DECISION_COLOURS, action_label, datum_label, decision_colour, decision_label, kind_label, length_format
+from .review_text import DECISION_COLOURS, datum_label, decision_colour, decision_label, edit_label, kind_label, length_format
 from .translation import tr
 
 FloatArray = NDArray[np.float64]
@@ -441,25 +441,7 @@ class ReviewDock(QgsDockWidget):
         if topic in ("rows", "selection", "reviews"):
             self._show_unit()
         if topic != "selection":
-            self._show_counts()
-
-    def _show_counts(self) -> None:
-        numbers = self.store.statistics()
-        lengths = length_format()
-        parts = [tr("{shown} of {all} units shown").format(shown=len(self.store.order), all=len(self.store.rows))]
-        parts.append(tr("{count} significant").format(count=numbers.significant))
-        if numbers.lost:
-            parts.append(tr("{count} lost").format(count=numbers.lost))
-        if numbers.new:
-            parts.append(tr("{count} new").format(count=numbers.new))
-        if numbers.largest is not None:
-            parts.append(tr("largest {length}").format(length=lengths.text(numbers.largest)))
-        parts.append(tr("{count} decided").format(count=numbers.decided + numbers.rejected))
-        text = html.escape("  ·  ".join(parts))
-        if numbers.rejected:
-            rejected = tr("{count} rejected, excluded from statistics and map").format(count=numbers.rejected)
-            text += f" · <b style='color:{decision_colour('rejected', self.palette()).name()}'>{html.escape(rejected)}</b>"
-        self._counts.setText(text)
+            self._counts.setText(counts_html(self.store, self.palette()))
 
     def _show_unit(self) -> None:
         if self.store is None:
@@ -471,9 +453,9 @@ class ReviewDock(QgsDockWidget):
         elif page == 1:
             self._show_series(unit)
         elif page == 2:
-            self.numbers.setHtml(self._numbers_html(unit) if unit else "")
+            self.numbers.setHtml(numbers_html(self.store, unit) if unit else "")
         else:
-            self.history.setHtml(self._history_html(unit) if unit else "")
+            self.history.setHtml(history_html(self.store, unit) if unit else "")
 
     def _show_views(self, unit: str | None) -> None:
         scene = self.scene_of(unit) if unit else UnitScene()
@@ -507,92 +489,6 @@ class ReviewDock(QgsDockWidget):
         details, row = self.store.details(unit), self.store.row(unit)
         found = {name: series(details, self.store.epochs, self.store.datum, name) for name in FEATURES}
         self.series.show_series(found, row.detection_limit if row else None)
-
-    def _numbers_html(self, unit: str) -> str:
-        row, details, lengths = self.store.row(unit), self.store.details(unit), length_format()
-        if row is None:
-            return ""
-        shape = details.rows.get(self.store.pair.epoch_to) or details.rows.get(self.store.pair.epoch_from) or {}
-        lines = [f"<h3>{html.escape(unit)} – {html.escape(kind_label(row.kind))}</h3>", "<table cellspacing='0' cellpadding='3'>"]
-
-        def line(name: str, value: str) -> None:
-            lines.append(f"<tr><td>{html.escape(name)}</td><td><b>{html.escape(value)}</b></td></tr>")
-
-        if row.vector is not None and row.sd is not None:
-            height = row.height or math.nan
-            diameter = VOLUME_RATIO ** (1 / 3) * height
-            line(tr("3D displacement"), f"{lengths.text(row.d_3d)} ± {lengths.number(row.sd_3d)}")
-            line(tr("in heights H, in Dn"), f"{row.d_3d / height:.3f} H, {row.d_3d / diameter:.3f} Dn")
-            for name, k in ((tr("Easting"), 0), (tr("Northing"), 1), (tr("Height"), 2)):
-                line(name, f"{row.vector[k] * lengths.factor:+.{lengths.decimals}f} {lengths.suffix} ± {lengths.number(row.sd[k])}")
-            line(tr("Horizontal"), lengths.text(row.d_horizontal))
-            if row.rotation_deg is not None:
-                line(
-                    tr("Rotation"),
-                    f"{row.rotation_deg:.2f}°" + (f" ± {row.sd_rotation_deg:.2f}°" if row.sd_rotation_deg is not None else ""),
-                )
-            if row.p_value is not None:
-                verdict = tr("significant") if row.significant else tr("not significant")
-                p = f"p = {row.p_value:.4f}" if row.p_value >= 0.0001 else "p < 0.0001"
-                line(tr("Test against no motion"), f"{p}, {verdict}")
-            line(tr("Detection limit"), lengths.text(row.detection_limit))
-        else:
-            line(tr("Displacement"), tr("none: one of the two positions is not known"))
-        for name, key, form in (
-            (tr("Seen"), "coverage", "{:.0%}"),
-            (tr("Score"), "score", "{:.2f}"),
-            (tr("Points"), "n_points", "{}"),
-            (tr("Legs seen"), "legs_visible", "{}"),
-        ):
-            if shape.get(key) is not None:
-                line(name, form.format(shape[key]))
-        lines.append("</table>")
-        lines += self._checks_html(check_comparisons(details, self.store.pair))
-        lines += self._picks_html(unit)
-        return "".join(lines)
-
-    def _checks_html(self, checks: list[CheckComparison]) -> list[str]:
-        if not checks:
-            return []
-        lengths = length_format()
-        head = (tr("Check point"), tr("Feature"), tr("Surveyed"), tr("Fitted"), tr("Difference"))
-        lines = [
-            f"<h4>{html.escape(tr('Check points ({unit})').format(unit=lengths.suffix))}</h4><table cellspacing='0' cellpadding='3'><tr>"
-        ]
-        lines += [f"<th align='left'>{html.escape(text)}</th>" for text in head]
-        for check in checks:
-            cells = (
-                check.point_id,
-                check.feature,
-                lengths.number(check.measured),
-                lengths.number(check.fitted),
-                lengths.number(check.difference),
-            )
-            lines.append("</tr><tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in cells))
-        return [*lines, "</tr></table>"]
-
-    def _picks_html(self, unit: str) -> list[str]:
-        details, lengths = self.store.details(unit), length_format()
-        lines = []
-        for pick in read_picks(self.store.path, unit):
-            feature = details.features.get(pick["epoch"], {}).get(pick["feature"])
-            if feature is not None:
-                apart = float(np.linalg.norm(pick["geom"] - feature[0]))
-                words = {"feature": pick["feature"], "epoch": pick["epoch"], "who": pick["picked_by"], "length": lengths.text(apart)}
-                lines.append(f"<li>{html.escape(tr('{feature}, {epoch}: picked {length} from the fit ({who})').format(**words))}</li>")
-        return [f"<h4>{html.escape(tr('Picked by hand'))}</h4><ul>", *lines, "</ul>"] if lines else []
-
-    def _history_html(self, unit: str) -> str:
-        lines = []
-        for event in reversed(self.store.history(unit)):
-            comment = f" – {event.comment}" if event.comment else ""
-            deed = f"{action_label(event.action)} «{decision_label(event.decision)}», {event.pair}{comment}"
-            lines.append(_entry(event.at, event.reviewer, deed))
-        for edit in read_edits(self.store.path):
-            if edit.unit_id == unit:
-                gone = f" ({tr('taken back')})" if edit.undone else ""
-                lines.append(_entry(edit.edited_at, edit.editor, f"{edit_label(edit.kind)} {edit.epoch}{gone}"))
-        return f"<ul>{''.join(lines)}</ul>" if lines else f"<p>{html.escape(tr('Nobody has decided on this unit yet.'))}</p>"
 
     def _say(self, message: str, *, bad: bool = False) -> None:
         for label in (self._status, self._start_status):
@@ -964,23 +860,6 @@ class ReviewDock(QgsDockWidget):
         self._tasks.append(task)
         QgsApplication.taskManager().addTask(task)
         self._say(tr("{title}…").format(title=title))
-
-
-def _entry(moment: str, who: str, deed: str) -> str:
-    text = f"{moment[:19].replace('T', ' ')} UTC, {who}: {deed}"
-    return f"<li>{html.escape(text)}</li>"
-
-
-def edit_label(kind: str) -> str:
-    """Name of a correction."""
-    labels = {
-        "delete": tr("deleted"),
-        "merge": tr("merged"),
-        "split": tr("split"),
-        "pose": tr("new pose"),
-        "placeholder": tr("placeholder"),
-    }
-    return labels.get(kind, kind)
 
 
 def _login() -> str:

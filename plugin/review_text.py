@@ -43,6 +43,18 @@ def action_label(action: str) -> str:
     return {"decide": tr("decided"), "confirm": tr("confirmed"), "undo": tr("took back")}.get(action, action)
 
 
+def edit_label(kind: str) -> str:
+    """Name of a correction."""
+    labels = {
+        "delete": tr("deleted"),
+        "merge": tr("merged"),
+        "split": tr("split"),
+        "pose": tr("new pose"),
+        "placeholder": tr("placeholder"),
+    }
+    return labels.get(kind, kind)
+
+
 def column_label(column: str) -> str:
     """Heading of a table column."""
     return {

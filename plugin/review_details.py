@@ -1,0 +1,141 @@
+"""What the review says of a unit and of all units, as HTML: functions of the store."""
+
+from __future__ import annotations
+
+import html
+import math
+
+import numpy as np
+from qgis.PyQt.QtGui import QPalette
+
+from ..core.displacement_rows import CheckComparison, UnitDetails, UnitRow, check_comparisons
+from ..core.outline import VOLUME_RATIO
+from ..core.result_tables import Row
+from ..core.unit_edits import read_edits, read_picks
+from .review_store import ReviewStore
+from .review_text import action_label, decision_colour, decision_label, edit_label, kind_label, length_format
+from .translation import tr
+
+LEAST_P = 0.0001
+"""Smallest p-value written as a number."""
+
+
+def numbers_html(store: ReviewStore, unit: str) -> str:
+    """Displacement, quality, check points and hand-picked points of a unit in the store's pair; empty for a unit it has no row of."""
+    row, details = store.row(unit), store.details(unit)
+    if row is None:
+        return ""
+    pair = store.pair
+    fit = details.rows.get(pair.epoch_to) or details.rows.get(pair.epoch_from) or {}
+    return "".join(
+        [
+            f"<h3>{html.escape(unit)} – {html.escape(kind_label(row.kind))}</h3>",
+            "<table cellspacing='0' cellpadding='3'>",
+            *_displacement_lines(row),
+            *_quality_lines(fit),
+            "</table>",
+            *_check_lines(check_comparisons(details, pair)),
+            *_pick_lines(details, read_picks(store.path, unit)),
+        ]
+    )
+
+
+def history_html(store: ReviewStore, unit: str) -> str:
+    """Decisions on a unit, the newest first, then its corrections."""
+    entries = []
+    for event in reversed(store.history(unit)):
+        comment = f" – {event.comment}" if event.comment else ""
+        deed = f"{action_label(event.action)} «{decision_label(event.decision)}», {event.pair}{comment}"
+        entries.append(_entry(event.at, event.reviewer, deed))
+    for edit in read_edits(store.path):
+        if edit.unit_id == unit:
+            gone = f" ({tr('taken back')})" if edit.undone else ""
+            entries.append(_entry(edit.edited_at, edit.editor, f"{edit_label(edit.kind)} {edit.epoch}{gone}"))
+    return f"<ul>{''.join(entries)}</ul>" if entries else f"<p>{html.escape(tr('Nobody has decided on this unit yet.'))}</p>"
+
+
+def counts_html(store: ReviewStore, palette: QPalette) -> str:
+    """Counts of the pair; what is left out because it was rejected stands out in the palette's colour for that."""
+    numbers = store.statistics()
+    parts = [tr("{shown} of {all} units shown").format(shown=len(store.order), all=len(store.rows))]
+    parts.append(tr("{count} significant").format(count=numbers.significant))
+    if numbers.lost:
+        parts.append(tr("{count} lost").format(count=numbers.lost))
+    if numbers.new:
+        parts.append(tr("{count} new").format(count=numbers.new))
+    if numbers.largest is not None:
+        parts.append(tr("largest {length}").format(length=length_format().text(numbers.largest)))
+    parts.append(tr("{count} decided").format(count=numbers.decided + numbers.rejected))
+    text = html.escape("  ·  ".join(parts))
+    if numbers.rejected:
+        rejected = tr("{count} rejected, excluded from statistics and map").format(count=numbers.rejected)
+        text += f" · <b style='color:{decision_colour('rejected', palette).name()}'>{html.escape(rejected)}</b>"
+    return text
+
+
+def _line(name: str, value: str) -> str:
+    return f"<tr><td>{html.escape(name)}</td><td><b>{html.escape(value)}</b></td></tr>"
+
+
+def _displacement_lines(row: UnitRow) -> list[str]:
+    if row.vector is None or row.sd is None:
+        return [_line(tr("Displacement"), tr("none: one of the two positions is not known"))]
+    lengths = length_format()
+    height = row.height or math.nan
+    diameter = VOLUME_RATIO ** (1 / 3) * height
+    lines = [
+        _line(tr("3D displacement"), f"{lengths.text(row.d_3d)} ± {lengths.number(row.sd_3d)}"),
+        _line(tr("in heights H, in Dn"), f"{row.d_3d / height:.3f} H, {row.d_3d / diameter:.3f} Dn"),
+    ]
+    for name, part, sd in zip((tr("Easting"), tr("Northing"), tr("Height")), row.vector, row.sd, strict=True):
+        lines.append(_line(name, f"{part * lengths.factor:+.{lengths.decimals}f} {lengths.suffix} ± {lengths.number(sd)}"))
+    lines.append(_line(tr("Horizontal"), lengths.text(row.d_horizontal)))
+    if row.rotation_deg is not None:
+        sd_rotation = f" ± {row.sd_rotation_deg:.2f}°" if row.sd_rotation_deg is not None else ""
+        lines.append(_line(tr("Rotation"), f"{row.rotation_deg:.2f}°{sd_rotation}"))
+    if row.p_value is not None:
+        verdict = tr("significant") if row.significant else tr("not significant")
+        p = f"p = {row.p_value:.4f}" if row.p_value >= LEAST_P else f"p < {LEAST_P}"
+        lines.append(_line(tr("Test against no motion"), f"{p}, {verdict}"))
+    lines.append(_line(tr("Detection limit"), lengths.text(row.detection_limit)))
+    return lines
+
+
+def _quality_lines(fit: Row) -> list[str]:
+    measures = (
+        (tr("Seen"), "coverage", "{:.0%}"),
+        (tr("Score"), "score", "{:.2f}"),
+        (tr("Points"), "n_points", "{}"),
+        (tr("Legs seen"), "legs_visible", "{}"),
+    )
+    return [_line(name, form.format(fit[key])) for name, key, form in measures if fit.get(key) is not None]
+
+
+def _check_lines(checks: list[CheckComparison]) -> list[str]:
+    if not checks:
+        return []
+    lengths = length_format()
+    title = html.escape(tr("Check points ({unit})").format(unit=lengths.suffix))
+    head = (tr("Check point"), tr("Feature"), tr("Surveyed"), tr("Fitted"), tr("Difference"))
+    lines = [f"<h4>{title}</h4><table cellspacing='0' cellpadding='3'><tr>"]
+    lines += [f"<th align='left'>{html.escape(text)}</th>" for text in head]
+    for check in checks:
+        values = (lengths.number(value) for value in (check.measured, check.fitted, check.difference))
+        lines.append("</tr><tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in (check.point_id, check.feature, *values)))
+    return [*lines, "</tr></table>"]
+
+
+def _pick_lines(details: UnitDetails, picks: list[Row]) -> list[str]:
+    lengths, lines = length_format(), []
+    for pick in picks:
+        feature = details.features.get(pick["epoch"], {}).get(pick["feature"])
+        if feature is not None:
+            apart = float(np.linalg.norm(pick["geom"] - feature[0]))
+            words = {"feature": pick["feature"], "epoch": pick["epoch"], "who": pick["picked_by"], "length": lengths.text(apart)}
+            lines.append(f"<li>{html.escape(tr('{feature}, {epoch}: picked {length} from the fit ({who})').format(**words))}</li>")
+    return [f"<h4>{html.escape(tr('Picked by hand'))}</h4><ul>", *lines, "</ul>"] if lines else []
+
+
+def _entry(moment: str, who: str, deed: str) -> str:
+    text = f"{moment[:19].replace('T', ' ')} UTC, {who}: {deed}"
+    return f"<li>{html.escape(text)}</li>"
