@@ -5,7 +5,6 @@ from __future__ import annotations
 import getpass
 import math
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -58,7 +57,6 @@ from ..core.unit_edits import (
     store_picks,
     undo_edit,
 )
-from ..core.unit_points import PointIndex, index_folder
 from .engine_task import EngineTask
 from .review_details import counts_html, history_html, numbers_html
 from .review_map import ClickTool, ReviewMap
@@ -105,7 +103,6 @@ class ReviewDock(QgsDockWidget):
         self.store: ReviewStore | None = None
         self.map: ReviewMap | None = None
         self.model: ReviewModel | None = None
-        self.index: PointIndex | None = None
         self._picking: Picking | None = None
         self._tool: ClickTool | None = None
         self._old_tool: Any = None
@@ -126,7 +123,6 @@ class ReviewDock(QgsDockWidget):
             return False
         self._close_store()
         self.store = store
-        self._open_index()
         self.model = self.table.show_store(store)
         store.observe(self._on_store)
         self.map = ReviewMap(store, self.canvas, self.project, self)
@@ -163,14 +159,8 @@ class ReviewDock(QgsDockWidget):
             self.map.deleteLater()
         if self.store is not None:
             self.store.forget(self._on_store)
-        self.store = self.map = self.model = self.index = None
+        self.store = self.map = self.model = None
         self._pages.setCurrentIndex(0)
-
-    def _open_index(self) -> None:
-        self.index = None
-        # no index yet is the normal case after a run: the views say how to get the points
-        with suppress(TetratrackError):
-            self.index = PointIndex(index_folder(self.store.path))
 
     # building the window
 
@@ -477,9 +467,9 @@ class ReviewDock(QgsDockWidget):
         outlines = UnitScene(shapes, features=features, picks=places, labels=labels)
         if outlines.middle is None:
             return outlines
-        if self.index is None:
+        if self.store.index is None:
             return UnitScene(shapes, features=features, picks=places, labels=labels, note=tr("points not read yet"))
-        points = tuple(self.index.read(label, outlines.middle, outlines.half_size) for label in labels)
+        points = tuple(self.store.index.read(label, outlines.middle, outlines.half_size) for label in labels)
         return UnitScene(shapes, points, features, places, labels)
 
     def _show_series(self, unit: str | None) -> None:
@@ -626,7 +616,7 @@ class ReviewDock(QgsDockWidget):
         if kind != "placeholder" and self.store.current is None:
             self._say(tr("Select a unit first."), bad=True)
             return
-        if kind in ("pin", "pick") and self.index is None:
+        if kind in ("pin", "pick") and self.store.index is None:
             self._say(tr("The points around the units are needed: read them from the correction menu."), bad=True)
             return
         self.end_picking()
@@ -673,10 +663,10 @@ class ReviewDock(QgsDockWidget):
         near = [row for row in self.store.rows if row.place is not None]
         nearest = min(near, key=lambda row: math.hypot(row.place[0] - e, row.place[1] - n))
         flat = np.array([e, n, nearest.place[2]])
-        if self.index is None:
+        if self.store.index is None:
             return flat
         height = nearest.height or 2.0
-        points = self.index.read(label, flat, 2 * height)
+        points = self.store.index.read(label, flat, 2 * height)
         close = points[np.hypot(points[:, 0] - e, points[:, 1] - n) < 0.04 * height]
         if len(close) == 0:
             if self._picking is not None and self._picking.kind in ("pin", "pick"):
@@ -745,7 +735,7 @@ class ReviewDock(QgsDockWidget):
 
     def _pick_sd(self, epoch: str, place: FloatArray) -> float:
         """Standard deviation of a picked coordinate, metres: the spacing of the points around the unit."""
-        points = self.index.read(epoch, place, 1.0) if self.index is not None else np.empty((0, 3))
+        points = self.store.index.read(epoch, place, 1.0) if self.store.index is not None else np.empty((0, 3))
         # a surface of the cube's size holds n points: spacing = edge / sqrt(n)
         return PICK_SD_SPACINGS * 2.0 / math.sqrt(max(len(points), 1))
 
@@ -852,7 +842,7 @@ class ReviewDock(QgsDockWidget):
             if outputs is None:
                 self._say(message, bad=True)
             elif self.store is not None:
-                self._open_index()
+                self.store.open_index()
                 self._reload()
                 self._say(success)
 

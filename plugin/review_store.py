@@ -6,6 +6,7 @@ Table, map and plots observe this store and change it through its methods only, 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -14,9 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.displacement_rows import EpochInfo, UnitDetails, UnitRow, datums, leg_length_of, read_details, read_epochs, read_unit_rows
-from ..core.errors import InputError, OutputError
+from ..core.errors import InputError, OutputError, TetratrackError
 from ..core.result_tables import EpochPair, epoch_pairs
 from ..core.reviews import Decision, Review, ReviewEvent, confirm, decide, is_writable, prepare, read_history, read_reviews, undo
+from ..core.unit_points import PointIndex, index_folder
 
 FloatArray = NDArray[np.float64]
 Topic = Literal["rows", "order", "selection", "reviews"]
@@ -103,6 +105,7 @@ class ReviewStore:
         self.sort_column, self.descending = "d_3d", True
         self.selected: tuple[str, ...] = ()
         self.reviews: dict[tuple[str, EpochPair], Review] = {}
+        self.index: PointIndex | None = None
         self._position: dict[str, int] = {}
         self._statistics: Statistics | None = None
         self._seen: tuple[tuple[int, int], ...] = ()
@@ -110,6 +113,7 @@ class ReviewStore:
         self._undoable: list[list[int]] = []
         self._details: dict[str, UnitDetails] = {}
         self._load()
+        self.open_index()
 
     # observers
 
@@ -221,6 +225,13 @@ class ReviewStore:
                 self._details.pop(next(iter(self._details)))
             self._details[unit_id] = read_details(self.path, unit_id, self.leg_length)
         return self._details[unit_id]
+
+    def open_index(self) -> None:
+        """Take in the points around the units, where the index beside the result is made."""
+        self.index = None
+        # no index yet is the normal case after a run: the views say how to get the points
+        with suppress(TetratrackError):
+            self.index = PointIndex(index_folder(self.path))
 
     # decisions
 
