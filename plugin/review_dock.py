@@ -27,11 +27,8 @@ from qgis.PyQt.QtWidgets import (
     QLineEdit,
     QMenu,
     QSizePolicy,
-    QSpinBox,
     QSplitter,
     QStackedWidget,
-    QTabWidget,
-    QTextBrowser,
     QToolBar,
     QToolButton,
     QVBoxLayout,
@@ -39,11 +36,10 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..core.alarms import write_alarms
-from ..core.displacement_rows import series
 from ..core.errors import TetratrackError
 from ..core.outline import LEG_LENGTH_RATIO
 from ..core.reviews import Decision
-from ..core.schema import CLASSES, FEATURES
+from ..core.schema import CLASSES
 from ..core.unit_edits import (
     NewPose,
     add_placeholder,
@@ -51,18 +47,17 @@ from ..core.unit_edits import (
     merge_units,
     pose_from_features,
     read_edits,
-    read_picks,
     set_pose,
     split_unit,
     store_picks,
     undo_edit,
 )
 from .engine_task import EngineTask
-from .review_details import counts_html, history_html, numbers_html
+from .review_details import counts_html
 from .review_map import ClickTool, ReviewMap
-from .review_plots import SeriesView, UnitScene, UnitView
 from .review_store import ReviewStore, Topic
 from .review_table import ReviewModel, ReviewTable
+from .review_tabs import UnitTabs
 from .review_text import DECISION_COLOURS, datum_label, decision_colour, decision_label, edit_label, kind_label, length_format
 from .translation import tr
 
@@ -124,6 +119,7 @@ class ReviewDock(QgsDockWidget):
         self._close_store()
         self.store = store
         self.model = self.table.show_store(store)
+        self.tabs.show_store(store)
         store.observe(self._on_store)
         self.map = ReviewMap(store, self.canvas, self.project, self)
         self._fill_choices()
@@ -159,6 +155,7 @@ class ReviewDock(QgsDockWidget):
             self.map.deleteLater()
         if self.store is not None:
             self.store.forget(self._on_store)
+        self.tabs.show_store(None)
         self.store = self.map = self.model = None
         self._pages.setCurrentIndex(0)
 
@@ -182,7 +179,9 @@ class ReviewDock(QgsDockWidget):
         self.table.setMinimumHeight(90)
         self.table.command.connect(self.run_command)
         self._splitter.addWidget(self.table)
-        self._splitter.addWidget(self._tabs())
+        self.tabs = UnitTabs(self._splitter)
+        self.tabs.picked.connect(self.add_pick)
+        self._splitter.addWidget(self.tabs)
         self._splitter.setStretchFactor(0, 2)
         self._splitter.setStretchFactor(1, 3)
         page.addWidget(self._splitter, 1)
@@ -325,46 +324,6 @@ class ReviewDock(QgsDockWidget):
         rows.addLayout(second)
         return rows
 
-    def _tabs(self) -> QTabWidget:
-        self.tabs = QTabWidget(self)
-        self.tabs.setDocumentMode(True)
-        self.tabs.setMinimumHeight(180)
-        views = QWidget(self.tabs)
-        layout = QVBoxLayout(views)
-        layout.setContentsMargins(0, 2, 0, 0)
-        pictures = QHBoxLayout()
-        pictures.setSpacing(2)
-        self.plan, self.section = UnitView("plan", views), UnitView("section", views)
-        for view in (self.plan, self.section):
-            view.picked.connect(self.add_pick)
-            pictures.addWidget(view, 1)
-        layout.addLayout(pictures, 1)
-        below = QHBoxLayout()
-        self.along = QCheckBox(tr("Section along the displacement"), views)
-        self.along.setChecked(True)
-        self.azimuth = QSpinBox(views)
-        self.azimuth.setRange(0, 359)
-        self.azimuth.setWrapping(True)
-        self.azimuth.setSuffix("°")
-        self.azimuth.setEnabled(False)
-        self.azimuth.setToolTip(tr("Direction of the section, from grid north; each outline is cut through its own centre"))
-        self.along.toggled.connect(self._turn_section)
-        self.azimuth.valueChanged.connect(lambda value: self._turn_section(self.along.isChecked()))
-        below.addWidget(self.along, 1)
-        below.addWidget(self.azimuth)
-        layout.addLayout(below)
-        self.series = SeriesView(self.tabs)
-        self.numbers, self.history = QTextBrowser(self.tabs), QTextBrowser(self.tabs)
-        for browser, name in ((self.numbers, "review_numbers"), (self.history, "review_history")):
-            browser.setObjectName(name)
-            browser.setOpenLinks(False)
-        self.tabs.addTab(views, tr("Views"))
-        self.tabs.addTab(self.series, tr("Series"))
-        self.tabs.addTab(self.numbers, tr("Numbers"))
-        self.tabs.addTab(self.history, tr("History"))
-        self.tabs.currentChanged.connect(lambda index: self._show_unit())
-        return self.tabs
-
     def _decisions(self) -> QVBoxLayout:
         rows = QVBoxLayout()
         rows.setSpacing(3)
@@ -429,56 +388,9 @@ class ReviewDock(QgsDockWidget):
             if self.follow.isChecked() and self.isVisible():
                 self.map.zoom()
         if topic in ("rows", "selection", "reviews"):
-            self._show_unit()
+            self.tabs.show_unit()
         if topic != "selection":
             self._counts.setText(counts_html(self.store, self.palette()))
-
-    def _show_unit(self) -> None:
-        if self.store is None:
-            return
-        unit = self.store.current
-        page = self.tabs.currentIndex()
-        if page == 0:
-            self._show_views(unit)
-        elif page == 1:
-            self._show_series(unit)
-        elif page == 2:
-            self.numbers.setHtml(numbers_html(self.store, unit) if unit else "")
-        else:
-            self.history.setHtml(history_html(self.store, unit) if unit else "")
-
-    def _show_views(self, unit: str | None) -> None:
-        scene = self.scene_of(unit) if unit else UnitScene()
-        for view in (self.plan, self.section):
-            view.show_scene(scene)
-        if self.along.isChecked():
-            self.azimuth.blockSignals(True)
-            self.azimuth.setValue(round(math.degrees(scene.section_azimuth)) % 360)
-            self.azimuth.blockSignals(False)
-
-    def scene_of(self, unit: str) -> UnitScene:
-        """Outlines, points, features and picks of a unit in the present pair."""
-        details, pair = self.store.details(unit), self.store.pair
-        labels = (pair.epoch_from, pair.epoch_to)
-        shapes = (details.shapes.get(labels[0]), details.shapes.get(labels[1]))
-        features = tuple({name: value[0] for name, value in details.features.get(label, {}).items()} for label in labels)
-        picks = read_picks(self.store.path, unit)
-        places = tuple(np.array([row["geom"] for row in picks if row["epoch"] == label]).reshape(-1, 3) for label in labels)
-        outlines = UnitScene(shapes, features=features, picks=places, labels=labels)
-        if outlines.middle is None:
-            return outlines
-        if self.store.index is None:
-            return UnitScene(shapes, features=features, picks=places, labels=labels, note=tr("points not read yet"))
-        points = tuple(self.store.index.read(label, outlines.middle, outlines.half_size) for label in labels)
-        return UnitScene(shapes, points, features, places, labels)
-
-    def _show_series(self, unit: str | None) -> None:
-        if unit is None:
-            self.series.show_series({}, None)
-            return
-        details, row = self.store.details(unit), self.store.row(unit)
-        found = {name: series(details, self.store.epochs, self.store.datum, name) for name in FEATURES}
-        self.series.show_series(found, row.detection_limit if row else None)
 
     def _say(self, message: str, *, bad: bool = False) -> None:
         for label in (self._status, self._start_status):
@@ -593,10 +505,6 @@ class ReviewDock(QgsDockWidget):
     def _set_follow(self) -> None:
         QgsSettings().setValue(FOLLOW_SETTING, self.follow.isChecked())
 
-    def _turn_section(self, along: bool) -> None:
-        self.azimuth.setEnabled(not along)
-        self.section.set_azimuth(None if along else math.radians(self.azimuth.value()))
-
     def _try(self, act: Callable[[], Any], *, quiet: bool = False) -> bool:
         """Do something that may fail for a reason the user can act on; the reason goes to the status line."""
         try:
@@ -626,8 +534,7 @@ class ReviewDock(QgsDockWidget):
         self._tool.left.connect(self.end_picking)
         self._old_tool = self.canvas.mapTool()
         self.canvas.setMapTool(self._tool)
-        for view in (self.plan, self.section):
-            view.set_picking(epoch)
+        self.tabs.set_picking(epoch)
         self._say(
             {
                 "refit": tr("Click the middle of the unit on the map or in a view; Escape ends."),
@@ -640,8 +547,7 @@ class ReviewDock(QgsDockWidget):
     def end_picking(self) -> None:
         """Back to the map tool used before."""
         self._picking = None
-        for view in (self.plan, self.section):
-            view.set_picking(None)
+        self.tabs.set_picking(None)
         if self._tool is not None:
             self.canvas.unsetMapTool(self._tool)
             if self._old_tool is not None:
@@ -724,7 +630,7 @@ class ReviewDock(QgsDockWidget):
         name = min(features, key=lambda feature: float(np.linalg.norm(features[feature] - picking.points[0])))
         store_picks(self.store.path, unit, epoch, {name: picking.points[0]}, editor=self.reviewer.text())
         apart = float(np.linalg.norm(features[name] - picking.points[0]))
-        self._show_unit()
+        self.tabs.show_unit()
         self._say(tr("{feature} picked, {length} from the fit.").format(feature=name, length=length_format().text(apart)))
 
     def _placeholder(self, picking: Picking) -> None:

@@ -112,15 +112,15 @@ def test_selection_is_in_step_between_table_map_and_plots(dock: ReviewDock) -> N
     dock.table.selectionModel().select(index, QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelectionModel.SelectionFlag.Rows)
     assert dock.store.selected == (target,)
     assert [f["unit_id"] for f in dock.map.units.selectedFeatures()] == [target]
-    assert dock.plan.scene.shapes[0] is not None
-    np.testing.assert_allclose(dock.plan.scene.shapes[0].centre, dock.store.details(target).shapes[PAIR.epoch_from].centre)
+    assert dock.tabs.plan.scene.shapes[0] is not None
+    np.testing.assert_allclose(dock.tabs.plan.scene.shapes[0].centre, dock.store.details(target).shapes[PAIR.epoch_from].centre)
     # and from the map to the table
     other = shown(dock)[9]
     fid = next(f.id() for f in dock.map.units.getFeatures() if f["unit_id"] == other)
     dock.map.units.selectByIds([fid])
     assert dock.store.selected == (other,)
     assert [i.data() for i in dock.table.selectionModel().selectedRows()] == [other]
-    np.testing.assert_allclose(dock.section.scene.shapes[1].centre, dock.store.details(other).shapes[PAIR.epoch_to].centre)
+    np.testing.assert_allclose(dock.tabs.section.scene.shapes[1].centre, dock.store.details(other).shapes[PAIR.epoch_to].centre)
 
 
 def test_keyboard_moves_and_decides(dock: ReviewDock) -> None:
@@ -168,7 +168,7 @@ def test_decision_survives_reopening_and_undo_takes_it_back(dock: ReviewDock, re
     assert "inspect" in dock.model.index(row, COLUMNS.index("decision")).data()
     dock.store.select([target])
     dock.tabs.setCurrentIndex(3)
-    assert "toe, <b>check</b> & photo" in dock.history.toPlainText()
+    assert "toe, <b>check</b> & photo" in dock.tabs.history.toPlainText()
     click_button(dock, "undo")
     assert dock.store.review(target) is None
     assert [e.action for e in read_history(result[0], target)] == ["decide", "undo"]
@@ -240,21 +240,21 @@ def test_pair_and_datum_change_rows_and_map(dock: ReviewDock) -> None:
 def test_views_series_and_numbers_show_the_unit(dock: ReviewDock) -> None:
     moved = next(row for row in dock.store.rows if row.kind == "moved")
     dock.store.select([moved.unit_id])
-    scene = dock.plan.scene
+    scene = dock.tabs.plan.scene
     assert all(len(points) > 1000 for points in scene.points)
     assert np.hypot(*(scene.points[0] - scene.middle)[:, :2].T).max() < 1.5 * scene.half_size
     dock.tabs.setCurrentIndex(1)
-    assert [p.epoch for p in dock.series.series["centre"]] == ["2023-04-09", "2024-04-09", "2025-04-09"]
-    assert dock.series.limit == pytest.approx(moved.detection_limit)
+    assert [p.epoch for p in dock.tabs.series.series["centre"]] == ["2023-04-09", "2024-04-09", "2025-04-09"]
+    assert dock.tabs.series.limit == pytest.approx(moved.detection_limit)
     dock.tabs.setCurrentIndex(2)
-    text = dock.numbers.toPlainText()
+    text = dock.tabs.numbers.toPlainText()
     assert f"{moved.d_3d:.3f} m" in text
     assert "H" in text
     assert "Dn" in text
     checked = dock.store.details("U00001").checks
     assert checked
     dock.store.select(["U00001"])
-    assert "Check points" in dock.numbers.toPlainText()
+    assert "Check points" in dock.tabs.numbers.toPlainText()
 
 
 def test_three_clicks_in_the_view_pin_the_pose(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
@@ -277,16 +277,16 @@ def test_click_in_the_plan_picks_the_point_under_the_cursor(dock: ReviewDock, re
     dock.start_picking("pick", 0)
     QApplication.processEvents()
     picked: list[np.ndarray] = []
-    dock.plan.picked.connect(picked.append)
-    dock.plan._pressed = None
+    dock.tabs.plan.picked.connect(picked.append)
+    dock.tabs.plan._pressed = None
     QTest.mouseClick(
-        dock.plan,
+        dock.tabs.plan,
         Qt.MouseButton.LeftButton,
         Qt.KeyboardModifier.NoModifier,
-        QPointF(dock.plan.width() / 2, dock.plan.height() / 2).toPoint(),
+        QPointF(dock.tabs.plan.width() / 2, dock.tabs.plan.height() / 2).toPoint(),
     )
     assert len(picked) == 1
-    assert np.hypot(*(picked[0] - dock.plan.scene.middle)[:2]) < 12 / dock.plan._pixels_per_metre()
+    assert np.hypot(*(picked[0] - dock.tabs.plan.scene.middle)[:2]) < 12 / dock.tabs.plan._pixels_per_metre()
     assert len(read_picks(dock.store.path, unit.unit_id)) == 1
 
 
