@@ -57,7 +57,7 @@ def main(count: int) -> int:
         window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
         window.resize(1920, 1080)
         window.show()
-        dock.reviewer.setText("benchmark")
+        dock.decisions.reviewer.setText("benchmark")
         application.processEvents()
         opened = timed(lambda: dock.open(path), application)
         again = timed(lambda: dock.open(path), application)
@@ -73,7 +73,7 @@ def main(count: int) -> int:
         fids = [feature.id() for feature in dock.map.units.getFeatures()]
         report["select on the map"] = [timed(lambda f=f: dock.map.units.selectByIds([int(f)]), application) for f in rng.choice(fids, 40)]
         report["sort"] = [timed(lambda d=d: dock.store.sort("coverage", d), application) for d in (True, False)]
-        report["filter"] = [timed(lambda t=t: dock.threshold.setValue(t), application) for t in (5.0, 0.0)]
+        report["filter"] = [timed(lambda t=t: dock.filters.threshold.setValue(t), application) for t in (5.0, 0.0)]
         report["decide"] = [timed(lambda: dock.decide("accepted"), application) for _ in range(10)]
         load = f", load average {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores" if hasattr(os, "getloadavg") else ""
         print(f"{count} units, {len(dock.store.epochs)} epochs{load}")

@@ -53,7 +53,7 @@ def main(theme: str, width: int, height: int, folder: Path) -> None:
         window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
         window.resize(width, height)
         window.show()
-        dock.reviewer.setText("A. Meyer")
+        dock.decisions.reviewer.setText("A. Meyer")
         dock.follow.setChecked(False)
         dock.open(path)
         dock.zoom_to_all()
@@ -61,7 +61,7 @@ def main(theme: str, width: int, height: int, folder: Path) -> None:
         for unit, decision in zip((worst[0], worst[2], worst[1]), ("inspect", "rejected", "accepted"), strict=True):
             dock.store.select([unit])
             dock.decide(decision)
-        dock.reviewer.setText("B. Sato")
+        dock.decisions.reviewer.setText("B. Sato")
         dock.confirm()
         settle(application)
         for page, tab in enumerate(("views", "series", "numbers", "history")):

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import json
 import multiprocessing
 import stat
 import subprocess
 import sys
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsProject
-from qgis.gui import QgsMapCanvas
+from qgis.gui import QgsMapCanvas, QgsMapToolPan
 from qgis.PyQt.QtCore import QItemSelectionModel, QPointF, Qt
-from qgis.PyQt.QtGui import QKeyEvent
+from qgis.PyQt.QtGui import QAction, QKeyEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QMainWindow, QToolButton
 from synthetic_result import SRS, SyntheticUnit, features_of, write_points, write_result
@@ -47,8 +49,8 @@ def dock(qgis_app: object, result: tuple[Path, list[SyntheticUnit]]) -> Iterator
     window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
     window.resize(1366, 768)
     window.show()
-    dock.reviewer.setText("Anna")
-    assert dock.open(result[0]), dock._status.text()
+    dock.decisions.reviewer.setText("Anna")
+    assert dock.open(result[0]), dock.status.text()
     yield dock
     dock.close()
     window.close()
@@ -78,17 +80,17 @@ def test_opens_with_every_unit_largest_displacement_first(dock: ReviewDock) -> N
 
 
 def test_filters_by_class_threshold_area_text_and_decision(dock: ReviewDock) -> None:
-    dock.threshold.setValue(5.0)
+    dock.filters.threshold.setValue(5.0)
     rows = {row.unit_id: row for row in dock.store.rows}
     assert set(shown(dock)) == {u for u, r in rows.items() if (r.d_3d or 0) >= 0.05 or r.kind in ("lost", "new", "relocated")}
-    dock.threshold.setValue(0.0)
-    dock.kinds.setCheckedItems([dock.kinds.itemText(1)])
+    dock.filters.threshold.setValue(0.0)
+    dock.filters.kinds.setCheckedItems([dock.filters.kinds.itemText(1)])
     assert set(shown(dock)) == {u for u, r in rows.items() if r.kind == "moved"}
-    dock.kinds.deselectAllOptions()
-    dock.text.setText("0001")
+    dock.filters.kinds.deselectAllOptions()
+    dock.filters.text.setText("0001")
     assert shown(dock)
     assert all("0001" in unit for unit in shown(dock))
-    dock.text.clear()
+    dock.filters.text.clear()
     middle = np.mean([r.place[:2] for r in rows.values() if r.place is not None], axis=0)
     dock.canvas.setExtent(dock.map.units.extent().buffered(-6))
     box = dock.canvas.extent()
@@ -102,7 +104,7 @@ def test_filters_by_class_threshold_area_text_and_decision(dock: ReviewDock) -> 
     dock.store.select([first])
     press(dock, Qt.Key.Key_A)
     assert first in shown(dock)
-    dock.undecided.setChecked(True)
+    dock.filters.undecided.setChecked(True)
     assert first not in shown(dock)
 
 
@@ -158,9 +160,9 @@ def test_rejected_unit_leaves_map_and_statistics_visibly(dock: ReviewDock) -> No
 def test_decision_survives_reopening_and_undo_takes_it_back(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
     target = shown(dock)[2]
     dock.store.select([target])
-    dock.comment.setText("toe, <b>check</b> & photo")
+    dock.decisions.comment.setText("toe, <b>check</b> & photo")
     click_button(dock, "inspect")
-    assert dock.comment.text() == ""
+    assert dock.decisions.comment.text() == ""
     assert dock.open(result[0])
     review = dock.store.review(target)
     assert (review.decision, review.reviewer, review.comment) == ("inspect", "Anna", "toe, <b>check</b> & photo")
@@ -179,8 +181,8 @@ def test_second_reviewer_confirms_but_nobody_confirms_himself(dock: ReviewDock) 
     dock.store.select([target])
     click_button(dock, "accepted")
     click_button(dock, "confirm")
-    assert "second reviewer" in dock._status.text()
-    dock.reviewer.setText("Ben")
+    assert "second reviewer" in dock.status.text()
+    dock.decisions.reviewer.setText("Ben")
     click_button(dock, "confirm")
     review = dock.store.review(target)
     assert (review.reviewer, review.confirmed_by) == ("Anna", "Ben")
@@ -192,14 +194,14 @@ def test_decisions_of_others_are_taken_in(dock: ReviewDock) -> None:
     decide(dock.store.path, [target], PAIR, "accepted", comment="", reviewer="Ben")
     dock._take_in()
     assert dock.store.review(target).reviewer == "Ben"
-    assert "another reviewer" in dock._status.text()
+    assert "another reviewer" in dock.status.text()
 
 
 def test_no_name_no_decision(dock: ReviewDock) -> None:
     dock.store.select([shown(dock)[0]])
-    dock.reviewer.setText(" ")
+    dock.decisions.reviewer.setText(" ")
     click_button(dock, "accepted")
-    assert "no name" in dock._status.text()
+    assert "no name" in dock.status.text()
     assert read_reviews(dock.store.path) == {}
 
 
@@ -207,11 +209,13 @@ def test_read_only_file_is_shown_and_says_so(dock: ReviewDock, result: tuple[Pat
     path = result[0]
     path.chmod(stat.S_IRUSR | stat.S_IRGRP)
     assert dock.open(path)
-    assert "read-only" in dock._status.text()
+    assert "read-only" in dock.status.text()
     dock.store.select([shown(dock)[0]])
     click_button(dock, "accepted")
-    assert "read-only" in dock._status.text()
+    assert "read-only" in dock.status.text()
     assert read_reviews(path) == {}
+    assert dock.findChildren(QAction, "correction")
+    assert not any(action.isEnabled() for action in dock.findChildren(QAction, "correction"))
     path.chmod(stat.S_IRUSR | stat.S_IWUSR)
 
 
@@ -219,18 +223,18 @@ def test_unreadable_file_is_refused_with_a_reason(dock: ReviewDock, tmp_path: Pa
     other = tmp_path / "notes.gpkg"
     other.write_text("no database")
     assert not dock.open(other)
-    assert "cannot be read as a GeoPackage" in dock._status.text()
+    assert "cannot be read as a GeoPackage" in dock.status.text()
 
 
 def test_pair_and_datum_change_rows_and_map(dock: ReviewDock) -> None:
     moved = next(row.unit_id for row in dock.store.rows if row.kind == "moved")
     length = dock.store.row(moved).d_3d
-    dock.pair.setCurrentIndex(2)
-    dock.pair.activated.emit(2)
+    dock.comparison.pair.setCurrentIndex(2)
+    dock.comparison.pair.activated.emit(2)
     assert dock.store.pair == EpochPair("2023-04-09", "2025-04-09")
     assert dock.store.row(moved).d_3d > 1.5 * length
-    dock.datum.setCurrentIndex(1)
-    dock.datum.activated.emit(1)
+    dock.comparison.datum.setCurrentIndex(1)
+    dock.comparison.datum.activated.emit(1)
     assert dock.store.datum == "control"
     lines = {f["unit_id"]: f for layer in (dock.map.displacements, dock.map.other) for f in layer.getFeatures()}
     assert lines[moved]["datum"] == "control"
@@ -260,21 +264,21 @@ def test_views_series_and_numbers_show_the_unit(dock: ReviewDock) -> None:
 def test_three_clicks_in_the_view_pin_the_pose(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
     unit = next(u for u in result[1] if u.fate == "stable")
     dock.store.select([unit.unit_id])
-    dock.start_picking("pin", 1)
+    dock.corrections.start_picking("pin", 1)
     truth = features_of(unit, 1)
     for name in (1, 2, 4):
-        dock.add_pick(truth[name])
+        dock.corrections.add_pick(truth[name])
     np.testing.assert_allclose(dock.store.details(unit.unit_id).shapes[PAIR.epoch_to].centre, truth[0], atol=1e-6)
     assert sorted(row["feature"] for row in read_picks(dock.store.path, unit.unit_id)) == ["f123", "f124", "f234"]
     assert [edit.kind for edit in read_edits(dock.store.path)] == ["pose"]
-    dock.undo_correction()
-    assert "Taken back" in dock._status.text()
+    dock.corrections.undo()
+    assert "Taken back" in dock.status.text()
 
 
 def test_click_in_the_plan_picks_the_point_under_the_cursor(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
     unit = next(u for u in result[1] if u.fate == "stable")
     dock.store.select([unit.unit_id])
-    dock.start_picking("pick", 0)
+    dock.corrections.start_picking("pick", 0)
     QApplication.processEvents()
     picked: list[np.ndarray] = []
     dock.tabs.plan.picked.connect(picked.append)
@@ -292,7 +296,7 @@ def test_click_in_the_plan_picks_the_point_under_the_cursor(dock: ReviewDock, re
 
 def test_map_click_puts_a_placeholder(dock: ReviewDock) -> None:
     row = next(row for row in dock.store.rows if row.place is not None)
-    dock.start_picking("placeholder", 1)
+    dock.corrections.start_picking("placeholder", 1)
     dock.canvas.mapTool().clicked.emit(QgsPointXY(row.place[0], row.place[1]))
     (name, place), *rest = placeholders(dock.store.path, PAIR.epoch_to)
     assert name == "P001"
@@ -300,19 +304,51 @@ def test_map_click_puts_a_placeholder(dock: ReviewDock) -> None:
     np.testing.assert_allclose(place[:2], row.place[:2], atol=0.1)
 
 
+def test_click_fits_the_unit_again_with_the_engine(dock: ReviewDock, fake_engine: Callable[[str], Path], tmp_path: Path) -> None:
+    told = tmp_path / "arguments.json"
+    fake_engine(f"""
+        open({str(told)!r}, "w").write(json.dumps(arguments))
+        say(event="result", outputs={{}})
+    """)
+    row = next(row for row in dock.store.rows if row.kind == "stable")
+    dock.store.select([row.unit_id])
+    dock.corrections.start_picking("refit", 1)
+    dock.tabs.section.picked.emit(row.place)
+    until = time.monotonic() + 20
+    while "was fitted again" not in dock.status.text() and time.monotonic() < until:
+        QApplication.processEvents()
+    assert dock.status.text() == f"{row.unit_id} was fitted again."
+    arguments = json.loads(told.read_text())
+    place = ",".join(f"{value:.3f}" for value in row.place)
+    expected = ["refit", str(dock.store.path), "--unit", row.unit_id, "--epoch", PAIR.epoch_to, "--near", place, "--editor", "Anna"]
+    assert arguments[-len(expected) - 1 : -1] == expected
+
+
+def test_opening_another_file_ends_picking(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
+    before = QgsMapToolPan(dock.canvas)
+    dock.canvas.setMapTool(before)
+    dock.corrections.start_picking("placeholder", 0)
+    assert dock.canvas.mapTool() is not before
+    assert dock.open(result[0])
+    assert dock.canvas.mapTool() is before
+    assert dock.tabs.plan.picking_epoch is None
+    dock.tabs.plan.picked.emit(np.zeros(3))
+    assert placeholders(dock.store.path, PAIR.epoch_from) == []
+
+
 def test_split_merge_and_delete_from_the_menu(dock: ReviewDock) -> None:
     unit = next(row.unit_id for row in dock.store.rows if row.kind == "stable")
     dock.store.select([unit])
-    dock.split()
+    dock.corrections.split()
     assert dock.store.row(f"{unit}b").kind == "new"
     dock.store.select([unit, f"{unit}b"])
-    dock.merge()
+    dock.corrections.merge()
     assert dock.store.row(f"{unit}b") is None
     assert dock.store.row(unit).d_3d is not None
     dock.store.select([unit])
-    dock.delete()
+    dock.corrections.delete()
     assert dock.store.row(unit) is None
-    dock.undo_correction()
+    dock.corrections.undo()
     assert dock.store.row(unit) is not None
 
 
@@ -331,8 +367,8 @@ def test_alarm_list_leaves_rejected_units_out(dock: ReviewDock, tmp_path: Path) 
 
 def test_views_paint_for_units_with_one_pose_or_none(dock: ReviewDock) -> None:
     kinds = {row.kind: row.unit_id for row in dock.store.rows}
-    dock.pair.setCurrentIndex(1)
-    dock.pair.activated.emit(1)
+    dock.comparison.pair.setCurrentIndex(1)
+    dock.comparison.pair.activated.emit(1)
     kinds |= {row.kind: row.unit_id for row in dock.store.rows}
     assert {"lost", "unseen", "new"} & kinds.keys()
     for unit in kinds.values():

@@ -1,0 +1,247 @@
+"""Parts of the review dock that the reviewer acts on: start page, comparison, filters, decisions, and the line that answers."""
+
+from __future__ import annotations
+
+import getpass
+from collections.abc import Callable
+from typing import Any
+
+from qgis.core import QgsApplication, QgsSettings
+from qgis.gui import QgsCheckableComboBox, QgsFilterLineEdit
+from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import (
+    QBoxLayout,
+    QCheckBox,
+    QComboBox,
+    QDoubleSpinBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QMenu,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ..core.errors import TetratrackError
+from ..core.schema import CLASSES
+from .review_store import ReviewStore
+from .review_text import DECISION_COLOURS, datum_label, decision_colour, kind_label
+from .translation import tr
+
+REVIEWER_SETTING = "tetratrack/reviewer"
+SPACING = 3
+"""Pixels between the parts of the dock."""
+
+
+class StatusLine:
+    """What was done, or why it was not, in one label a page."""
+
+    def __init__(self, *labels: QLabel) -> None:
+        self._labels = labels
+
+    def say(self, message: str, *, bad: bool = False) -> None:
+        """Show a message, a bad one in the colour of what is rejected."""
+        for label in self._labels:
+            # a label's own palette follows its style sheet
+            colour = decision_colour("rejected", label.parentWidget().palette())
+            label.setStyleSheet(f"color: {colour.name()};" if bad else "")
+            label.setText(message)
+
+    def text(self) -> str:
+        """What was said last."""
+        return self._labels[0].text()
+
+    def attempt(self, act: Callable[[], Any], *, quiet: bool = False) -> bool:
+        """Do something that may fail for a reason the user can act on, and say the reason; whether it was done."""
+        try:
+            act()
+        except TetratrackError as error:
+            if not quiet:
+                self.say(str(error), bad=True)
+            return False
+        return True
+
+
+class StartPage(QWidget):
+    """What the dock shows while no result is open."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        text = QLabel(tr("Open the result.gpkg of a survey with two epochs or more to review its displacements."), self)
+        text.setWordWrap(True)
+        self.button = QToolButton(self)
+        self.button.setText(tr("Open result…"))
+        self.button.setIcon(QgsApplication.getThemeIcon("/mActionFileOpen.svg"))
+        self.button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.status = QLabel(self)
+        self.status.setWordWrap(True)
+        layout = QVBoxLayout(self)
+        layout.addStretch(1)
+        layout.addWidget(text)
+        layout.addWidget(self.button)
+        layout.addWidget(self.status)
+        layout.addStretch(2)
+
+
+class ComparisonChoice(QWidget):
+    """Choice of the store's epoch pair and of the datum of its displacements."""
+
+    def __init__(self, status: StatusLine, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._status = status
+        self._store: ReviewStore | None = None
+        self.pair = QComboBox(self)
+        self.pair.setToolTip(tr("Epochs compared"))
+        self.datum = QComboBox(self)
+        self.datum.setToolTip(tr("Reference of the displacements"))
+        row = _without_margins(QHBoxLayout(self))
+        for box in (self.pair, self.datum):
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            box.setMinimumContentsLength(12)
+            box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            row.addWidget(box)
+        self.pair.activated.connect(self._choose_pair)
+        self.datum.activated.connect(self._choose_datum)
+
+    def show_store(self, store: ReviewStore) -> None:
+        """Offer what a store can compare."""
+        self._store = store
+        self.pair.clear()
+        for pair in store.pairs:
+            self.pair.addItem(str(pair), pair)
+        self._fill_datums()
+
+    def _fill_datums(self) -> None:
+        self.datum.clear()
+        for datum in self._store.datums:
+            self.datum.addItem(datum_label(datum), datum)
+        self.datum.setCurrentIndex(self.datum.findData(self._store.datum))
+
+    def _choose_pair(self, index: int) -> None:
+        if self._status.attempt(lambda: self._store.set_pair(self._store.pairs[index])):
+            self._fill_datums()
+
+    def _choose_datum(self, index: int) -> None:
+        self._status.attempt(lambda: self._store.set_datum(self.datum.itemData(index)))
+
+
+class FilterPanel(QWidget):
+    """Which units are shown.
+
+    ``changed`` carries parts of the store's filter by their names; ``area_wanted`` the kind of area asked for: ``everywhere``, ``map``
+    or ``polygon``.
+    """
+
+    changed = pyqtSignal(object)
+    area_wanted = pyqtSignal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.kinds = QgsCheckableComboBox(self)
+        self.kinds.setDefaultText(tr("All classes"))
+        self.kinds.setToolTip(tr("Classes shown"))
+        self.kinds.setMinimumWidth(90)
+        for kind in (*CLASSES, "unseen"):
+            self.kinds.addItemWithCheckState(kind_label(kind), Qt.CheckState.Unchecked, kind)
+        self.threshold = QDoubleSpinBox(self)
+        self.threshold.setRange(0, 1000)
+        self.threshold.setDecimals(1)
+        self.threshold.setPrefix("≥ ")
+        self.threshold.setSuffix(" cm")
+        self.threshold.setToolTip(tr("Least 3D displacement shown; lost, new and relocated units are always shown"))
+        self.area = QToolButton(self)
+        self.area.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+        self.area.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.area.setToolTip(tr("Area of the units shown"))
+        self.area.setText(tr("Everywhere"))
+        self.area.setMenu(self._area_menu())
+        self.undecided = QCheckBox(tr("Undecided only"), self)
+        self.text = QgsFilterLineEdit(self)
+        self.text.setPlaceholderText(tr("Unit…"))
+        self.text.setShowSearchIcon(True)
+        self._lay_out()
+        self.kinds.checkedItemsChanged.connect(lambda items: self.changed.emit({"kinds": frozenset(self.kinds.checkedItemsData())}))
+        self.threshold.valueChanged.connect(lambda value: self.changed.emit({"threshold": value / 100}))
+        self.undecided.toggled.connect(lambda checked: self.changed.emit({"undecided": checked}))
+        self.text.textChanged.connect(lambda text: self.changed.emit({"text": text.strip()}))
+
+    def _area_menu(self) -> QMenu:
+        menu = QMenu(self.area)
+        entries = (
+            (tr("Everywhere"), "everywhere"),
+            (tr("In the map window"), "map"),
+            (tr("In the active layer's polygons"), "polygon"),
+        )
+        for text, kind in entries:
+            menu.addAction(text).triggered.connect(lambda checked=False, kind=kind: self.area_wanted.emit(kind))
+        return menu
+
+    def _lay_out(self) -> None:
+        rows = _without_margins(QVBoxLayout(self))
+        first, second = QHBoxLayout(), QHBoxLayout()
+        first.addWidget(self.kinds, 1)
+        first.addWidget(self.threshold)
+        second.addWidget(self.text, 1)
+        second.addWidget(self.area)
+        second.addWidget(self.undecided)
+        rows.addLayout(first)
+        rows.addLayout(second)
+
+
+class DecisionPanel(QWidget):
+    """Comment, reviewer, and a button for every act; ``command`` carries the act by the name the table's keys use."""
+
+    command = pyqtSignal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        rows = _without_margins(QVBoxLayout(self))
+        words, buttons = QHBoxLayout(), QHBoxLayout()
+        buttons.setSpacing(2)
+        for name, text, help_text in (
+            ("accepted", tr("Accept"), tr("The displacement is right (A)")),
+            ("rejected", tr("Reject"), tr("The displacement is wrong: it leaves statistics, maps and report (R)")),
+            ("inspect", tr("Inspect"), tr("Inspect on site (I)")),
+            ("confirm", tr("Confirm"), tr("Confirm another reviewer's decision (C)")),
+            ("undo", tr("Undo"), tr("Take back your last decision (U)")),
+        ):
+            buttons.addWidget(self._button(name, text, help_text))
+        self.comment = QLineEdit(self)
+        self.comment.setPlaceholderText(tr("Comment, stored with the decision"))
+        self.reviewer = QLineEdit(QgsSettings().value(REVIEWER_SETTING, "", type=str) or _login(), self)
+        self.reviewer.setPlaceholderText(tr("Reviewer"))
+        self.reviewer.setToolTip(tr("Your name or initials, stored with every decision"))
+        self.reviewer.setMaximumWidth(130)
+        self.reviewer.editingFinished.connect(lambda: QgsSettings().setValue(REVIEWER_SETTING, self.reviewer.text().strip()))
+        words.addWidget(self.comment, 1)
+        words.addWidget(self.reviewer)
+        rows.addLayout(words)
+        rows.addLayout(buttons)
+
+    def _button(self, name: str, text: str, help_text: str) -> QToolButton:
+        button = QToolButton(self)
+        button.setObjectName(f"review_{name}")
+        button.setText(text)
+        if name in DECISION_COLOURS:
+            button.setText(f"● {text}")
+            button.setStyleSheet(f"color: {decision_colour(name, self.palette()).name()};")
+        button.setToolTip(help_text)
+        button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        button.clicked.connect(lambda checked=False: self.command.emit(name))
+        return button
+
+
+def _without_margins(layout: QBoxLayout) -> QBoxLayout:
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.setSpacing(SPACING)
+    return layout
+
+
+def _login() -> str:
+    """The user's login name; empty where the system has none."""
+    try:
+        return getpass.getuser()
+    except (OSError, KeyError):
+        return ""
