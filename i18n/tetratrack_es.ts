@@ -1034,6 +1034,11 @@
       <translation>No se pudo iniciar el motor con {python}: {reason}.</translation>
     </message>
     <message>
+      <location filename="../plugin/engine_task.py" />
+      <source>Cancelled.</source>
+      <translation>Cancelado.</translation>
+    </message>
+    <message>
       <location filename="../plugin/layers.py" />
       <source>found</source>
       <translation>encontrada</translation>
@@ -1229,29 +1234,359 @@
       <translation>Tetratrack: desplazamientos de tetrápodos</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>deleted</source>
-      <translation>eliminada</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey description</source>
+      <translation>Descripción del levantamiento</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>merged</source>
-      <translation>fusionada</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey (*.toml)</source>
+      <translation>Levantamiento (*.toml)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>split</source>
-      <translation>dividida</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fit again after a click on the unit (earlier epoch)</source>
+      <translation>Ajustar de nuevo tras un clic en la pieza (época anterior)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>new pose</source>
-      <translation>nueva pose</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fit again after a click on the unit (later epoch)</source>
+      <translation>Ajustar de nuevo tras un clic en la pieza (época posterior)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>placeholder</source>
-      <translation>marcador</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pin by three joints of legs (earlier epoch)</source>
+      <translation>Fijar por tres uniones de patas (época anterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pin by three joints of legs (later epoch)</source>
+      <translation>Fijar por tres uniones de patas (época posterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pick feature points beside the fit (earlier epoch)</source>
+      <translation>Señalar puntos característicos junto al ajuste (época anterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pick feature points beside the fit (later epoch)</source>
+      <translation>Señalar puntos característicos junto al ajuste (época posterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Placeholder for a unit not found</source>
+      <translation>Marcador de una pieza no encontrada</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Merge the two selected units</source>
+      <translation>Fusionar las dos piezas seleccionadas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Split at the later epoch: two units taken for one</source>
+      <translation>Dividir en la época posterior: dos piezas tomadas por una</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Delete: not a unit</source>
+      <translation>Eliminar: no es una pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Take back the last correction</source>
+      <translation>Deshacer la última corrección</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Read the points around the units…</source>
+      <translation>Leer los puntos alrededor de las piezas…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The points around the units are needed: read them from the correction menu.</source>
+      <translation>Hacen falta los puntos alrededor de las piezas: léalos desde el menú de corrección.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>There are no points here; click on the cloud.</source>
+      <translation>Aquí no hay puntos; haga clic sobre la nube.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The unit has no pose in any epoch to take its size from.</source>
+      <translation>La pieza no tiene pose en ninguna época de la que tomar su tamaño.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>pinned by three joints</source>
+      <translation>fijada por tres uniones</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
+      <translation>La pieza no se encontró en esta época: fíjela por tres uniones.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Select the two units to merge.</source>
+      <translation>Seleccione las dos piezas que se fusionan.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>There is no correction to take back.</source>
+      <translation>No hay corrección que deshacer.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Reading points around units</source>
+      <translation>Leyendo puntos alrededor de las piezas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Points read.</source>
+      <translation>Puntos leídos.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Select a unit first.</source>
+      <translation>Seleccione primero una pieza.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
+      <translation>Haga clic en el centro de la pieza en el mapa o en una vista; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
+      <translation>Haga clic en tres uniones donde se encuentran tres patas, en el mapa o en las vistas; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click a joint where three legs meet; Escape ends.</source>
+      <translation>Haga clic en una unión donde se encuentran tres patas; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click where the unit lies on the map; Escape ends.</source>
+      <translation>Haga clic donde está la pieza en el mapa; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fitting {unit} again</source>
+      <translation>Ajustando {unit} de nuevo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} was fitted again.</source>
+      <translation>{unit} se ajustó de nuevo.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} pinned; the picks fit within {length}.</source>
+      <translation>{unit} fijada; las marcas encajan dentro de {length}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{feature} picked, {length} from the fit.</source>
+      <translation>{feature} señalado, a {length} del ajuste.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Placeholder {name} stored; it counts as a unit not found.</source>
+      <translation>Marcador {name} guardado; cuenta como pieza no encontrada.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{count} of 3 joints.</source>
+      <translation>{count} de 3 uniones.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{other} is now {keep}.</source>
+      <translation>{other} es ahora {keep}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} is called {name} from {epoch} on.</source>
+      <translation>{unit} se llama {name} desde {epoch}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} was deleted; take it back from the correction menu.</source>
+      <translation>{unit} se eliminó; recupérela desde el menú de corrección.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Taken back: {kind} {unit}.</source>
+      <translation>Retirado: {kind} {unit}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Check point</source>
+      <translation>Punto de comprobación</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Feature</source>
+      <translation>Punto característico</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Surveyed</source>
+      <translation>Medido</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Fitted</source>
+      <translation>Ajustado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Difference</source>
+      <translation>Diferencia</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>3D displacement</source>
+      <translation>Desplazamiento 3D</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>in heights H, in Dn</source>
+      <translation>en alturas H, en Dn</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Easting</source>
+      <translation>Este</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Northing</source>
+      <translation>Norte</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Height</source>
+      <translation>Altura</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Horizontal</source>
+      <translation>Horizontal</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>significant</source>
+      <translation>significativo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>not significant</source>
+      <translation>no significativo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Detection limit</source>
+      <translation>Límite de detección</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Seen</source>
+      <translation>Visto</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Score</source>
+      <translation>Puntuación</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Legs seen</source>
+      <translation>Patas vistas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{shown} of {all} units shown</source>
+      <translation>{shown} de {all} piezas mostradas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} significant</source>
+      <translation>{count} significativas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} decided</source>
+      <translation>{count} decididas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} rejected, excluded from statistics and map</source>
+      <translation>{count} rechazadas, fuera de estadísticas y mapa</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Displacement</source>
+      <translation>Desplazamiento</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>none: one of the two positions is not known</source>
+      <translation>ninguno: una de las dos posiciones es desconocida</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Rotation</source>
+      <translation>Giro</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Test against no motion</source>
+      <translation>Prueba frente a inmovilidad</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Check points ({unit})</source>
+      <translation>Puntos de comprobación ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Nobody has decided on this unit yet.</source>
+      <translation>Nadie ha decidido aún sobre esta pieza.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} lost</source>
+      <translation>{count} perdidas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} new</source>
+      <translation>{count} nuevas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>largest {length}</source>
+      <translation>máximo {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>taken back</source>
+      <translation>retirado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Picked by hand</source>
+      <translation>Señalado a mano</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
+      <translation>{feature}, {epoch}: señalado a {length} del ajuste ({who})</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1267,16 +1602,6 @@
       <location filename="../plugin/review_dock.py" />
       <source>GeoPackage (*.gpkg)</source>
       <translation>GeoPackage (*.gpkg)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
-      <translation>Abra el result.gpkg de un levantamiento con dos épocas o más para revisar sus desplazamientos.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Open result…</source>
-      <translation>Abrir resultado…</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1320,126 +1645,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Epochs compared</source>
-      <translation>Épocas comparadas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reference of the displacements</source>
-      <translation>Referencia de los desplazamientos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>All classes</source>
-      <translation>Todas las clases</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Classes shown</source>
-      <translation>Clases mostradas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
-      <translation>Menor desplazamiento 3D mostrado; las piezas perdidas, nuevas y arrastradas se muestran siempre</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Area of the units shown</source>
-      <translation>Área de las piezas mostradas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Everywhere</source>
-      <translation>En todas partes</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Undecided only</source>
-      <translation>Solo sin decidir</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Unit…</source>
-      <translation>Pieza…</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Section along the displacement</source>
-      <translation>Sección a lo largo del desplazamiento</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
-      <translation>Dirección de la sección, desde el norte de la cuadrícula; cada contorno se corta por su propio centro</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Series</source>
-      <translation>Serie</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Numbers</source>
-      <translation>Números</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>History</source>
-      <translation>Historial</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Comment, stored with the decision</source>
-      <translation>Comentario, guardado con la decisión</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reviewer</source>
-      <translation>Revisor</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Your name or initials, stored with every decision</source>
-      <translation>Su nombre o iniciales, guardados con cada decisión</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Check point</source>
-      <translation>Punto de comprobación</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Feature</source>
-      <translation>Punto característico</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Surveyed</source>
-      <translation>Medido</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fitted</source>
-      <translation>Ajustado</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Difference</source>
-      <translation>Diferencia</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Survey description</source>
-      <translation>Descripción del levantamiento</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Survey (*.toml)</source>
-      <translation>Levantamiento (*.toml)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>PDF (*.pdf);;Web page (*.html)</source>
       <translation>PDF (*.pdf);;Página web (*.html)</translation>
     </message>
@@ -1460,163 +1665,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Cancelled.</source>
-      <translation>Cancelado.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fit again after a click on the unit (earlier epoch)</source>
-      <translation>Ajustar de nuevo tras un clic en la pieza (época anterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fit again after a click on the unit (later epoch)</source>
-      <translation>Ajustar de nuevo tras un clic en la pieza (época posterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pin by three joints of legs (earlier epoch)</source>
-      <translation>Fijar por tres uniones de patas (época anterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pin by three joints of legs (later epoch)</source>
-      <translation>Fijar por tres uniones de patas (época posterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pick feature points beside the fit (earlier epoch)</source>
-      <translation>Señalar puntos característicos junto al ajuste (época anterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pick feature points beside the fit (later epoch)</source>
-      <translation>Señalar puntos característicos junto al ajuste (época posterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Placeholder for a unit not found</source>
-      <translation>Marcador de una pieza no encontrada</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Merge the two selected units</source>
-      <translation>Fusionar las dos piezas seleccionadas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Split at the later epoch: two units taken for one</source>
-      <translation>Dividir en la época posterior: dos piezas tomadas por una</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Delete: not a unit</source>
-      <translation>Eliminar: no es una pieza</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Take back the last correction</source>
-      <translation>Deshacer la última corrección</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Read the points around the units…</source>
-      <translation>Leer los puntos alrededor de las piezas…</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Accept</source>
-      <translation>Aceptar</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The displacement is right (A)</source>
-      <translation>El desplazamiento es correcto (A)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reject</source>
-      <translation>Rechazar</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
-      <translation>El desplazamiento es erróneo: sale de estadísticas, mapas e informe (R)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Inspect</source>
-      <translation>Inspeccionar</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Inspect on site (I)</source>
-      <translation>Inspeccionar en el lugar (I)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Confirm</source>
-      <translation>Confirmar</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Confirm another reviewer's decision (C)</source>
-      <translation>Confirmar la decisión de otro revisor (C)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Undo</source>
-      <translation>Deshacer</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Take back your last decision (U)</source>
-      <translation>Retirar su última decisión (U)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>3D displacement</source>
-      <translation>Desplazamiento 3D</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>in heights H, in Dn</source>
-      <translation>en alturas H, en Dn</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Horizontal</source>
-      <translation>Horizontal</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Detection limit</source>
-      <translation>Límite de detección</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Displacement</source>
-      <translation>Desplazamiento</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>none: one of the two positions is not known</source>
-      <translation>ninguno: una de las dos posiciones es desconocida</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Seen</source>
-      <translation>Visto</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Score</source>
-      <translation>Puntuación</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Legs seen</source>
-      <translation>Patas vistas</translation>
+      <source>Decisions of another reviewer were taken in.</source>
+      <translation>Se incorporaron decisiones de otro revisor.</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1635,118 +1685,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Decisions of another reviewer were taken in.</source>
-      <translation>Se incorporaron decisiones de otro revisor.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Select a unit first.</source>
-      <translation>Seleccione primero una pieza.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The points around the units are needed: read them from the correction menu.</source>
-      <translation>Hacen falta los puntos alrededor de las piezas: léalos desde el menú de corrección.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The unit has no pose in any epoch to take its size from.</source>
-      <translation>La pieza no tiene pose en ninguna época de la que tomar su tamaño.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>pinned by three joints</source>
-      <translation>fijada por tres uniones</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
-      <translation>La pieza no se encontró en esta época: fíjela por tres uniones.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Select the two units to merge.</source>
-      <translation>Seleccione las dos piezas que se fusionan.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>There is no correction to take back.</source>
-      <translation>No hay corrección que deshacer.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reading points around units</source>
-      <translation>Leyendo puntos alrededor de las piezas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Points read.</source>
-      <translation>Puntos leídos.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>Writing the report</source>
       <translation>Escribiendo el informe</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{shown} of {all} units shown</source>
-      <translation>{shown} de {all} piezas mostradas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} significant</source>
-      <translation>{count} significativas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} decided</source>
-      <translation>{count} decididas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} rejected, excluded from statistics and map</source>
-      <translation>{count} rechazadas, fuera de estadísticas y mapa</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>points not read yet</source>
-      <translation>puntos aún no leídos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Easting</source>
-      <translation>Este</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Northing</source>
-      <translation>Norte</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Height</source>
-      <translation>Altura</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Rotation</source>
-      <translation>Giro</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>significant</source>
-      <translation>significativo</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>not significant</source>
-      <translation>no significativo</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Test against no motion</source>
-      <translation>Prueba frente a inmovilidad</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1760,53 +1700,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
-      <translation>Haga clic en el centro de la pieza en el mapa o en una vista; Escape termina.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
-      <translation>Haga clic en tres uniones donde se encuentran tres patas, en el mapa o en las vistas; Escape termina.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click a joint where three legs meet; Escape ends.</source>
-      <translation>Haga clic en una unión donde se encuentran tres patas; Escape termina.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click where the unit lies on the map; Escape ends.</source>
-      <translation>Haga clic donde está la pieza en el mapa; Escape termina.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>There are no points here; click on the cloud.</source>
-      <translation>Aquí no hay puntos; haga clic sobre la nube.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fitting {unit} again</source>
-      <translation>Ajustando {unit} de nuevo</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} was fitted again.</source>
-      <translation>{unit} se ajustó de nuevo.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} pinned; the picks fit within {length}.</source>
-      <translation>{unit} fijada; las marcas encajan dentro de {length}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{feature} picked, {length} from the fit.</source>
-      <translation>{feature} señalado, a {length} del ajuste.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Placeholder {name} stored; it counts as a unit not found.</source>
-      <translation>Marcador {name} guardado; cuenta como pieza no encontrada.</translation>
+      <source>Everywhere</source>
+      <translation>En todas partes</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1820,31 +1715,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>In the active layer's polygons</source>
-      <translation>En los polígonos de la capa activa</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} lost</source>
-      <translation>{count} perdidas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} new</source>
-      <translation>{count} nuevas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>largest {length}</source>
-      <translation>máximo {length}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Nobody has decided on this unit yet.</source>
-      <translation>Nadie ha decidido aún sobre esta pieza.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>{units}: {decision}, stored.</source>
       <translation>{units}: {decision}, guardado.</translation>
     </message>
@@ -1855,26 +1725,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>{count} of 3 joints.</source>
-      <translation>{count} de 3 uniones.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{other} is now {keep}.</source>
-      <translation>{other} es ahora {keep}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} is called {name} from {epoch} on.</source>
-      <translation>{unit} se llama {name} desde {epoch}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} was deleted; take it back from the correction menu.</source>
-      <translation>{unit} se eliminó; recupérela desde el menú de corrección.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>Report written to {name}.</source>
       <translation>Informe escrito en {name}.</translation>
     </message>
@@ -1882,31 +1732,6 @@
       <location filename="../plugin/review_dock.py" />
       <source>{count} units written to {name}.</source>
       <translation>{count} piezas escritas en {name}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Picked by hand</source>
-      <translation>Señalado a mano</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>taken back</source>
-      <translation>retirado</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Taken back: {kind} {unit}.</source>
-      <translation>Retirado: {kind} {unit}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Check points ({unit})</source>
-      <translation>Puntos de comprobación ({unit})</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
-      <translation>{feature}, {epoch}: señalado a {length} del ajuste ({who})</translation>
     </message>
     <message>
       <location filename="../plugin/review_map.py" />
@@ -1932,6 +1757,126 @@
       <location filename="../plugin/review_map.py" />
       <source>Displacement review: {name}</source>
       <translation>Revisión de desplazamientos: {name}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
+      <translation>Abra el result.gpkg de un levantamiento con dos épocas o más para revisar sus desplazamientos.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open result…</source>
+      <translation>Abrir resultado…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Epochs compared</source>
+      <translation>Épocas comparadas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reference of the displacements</source>
+      <translation>Referencia de los desplazamientos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>All classes</source>
+      <translation>Todas las clases</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Classes shown</source>
+      <translation>Clases mostradas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
+      <translation>Menor desplazamiento 3D mostrado; las piezas perdidas, nuevas y arrastradas se muestran siempre</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Area of the units shown</source>
+      <translation>Área de las piezas mostradas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Undecided only</source>
+      <translation>Solo sin decidir</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Unit…</source>
+      <translation>Pieza…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Comment, stored with the decision</source>
+      <translation>Comentario, guardado con la decisión</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reviewer</source>
+      <translation>Revisor</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Your name or initials, stored with every decision</source>
+      <translation>Su nombre o iniciales, guardados con cada decisión</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>In the active layer's polygons</source>
+      <translation>En los polígonos de la capa activa</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Accept</source>
+      <translation>Aceptar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The displacement is right (A)</source>
+      <translation>El desplazamiento es correcto (A)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reject</source>
+      <translation>Rechazar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
+      <translation>El desplazamiento es erróneo: sale de estadísticas, mapas e informe (R)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Inspect</source>
+      <translation>Inspeccionar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Inspect on site (I)</source>
+      <translation>Inspeccionar en el lugar (I)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Confirm</source>
+      <translation>Confirmar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Confirm another reviewer's decision (C)</source>
+      <translation>Confirmar la decisión de otro revisor (C)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Undo</source>
+      <translation>Deshacer</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Take back your last decision (U)</source>
+      <translation>Retirar su última decisión (U)</translation>
     </message>
     <message>
       <location filename="../plugin/review_plots.py" />
@@ -1974,6 +1919,36 @@
       <translation>límite de detección</translation>
     </message>
     <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Series</source>
+      <translation>Serie</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Section along the displacement</source>
+      <translation>Sección a lo largo del desplazamiento</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
+      <translation>Dirección de la sección, desde el norte de la cuadrícula; cada contorno se corta por su propio centro</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Numbers</source>
+      <translation>Números</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>History</source>
+      <translation>Historial</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>points not read yet</source>
+      <translation>puntos aún no leídos</translation>
+    </message>
+    <message>
       <location filename="../plugin/review_text.py" />
       <source>stable</source>
       <translation>estable</translation>
@@ -1997,6 +1972,31 @@
       <location filename="../plugin/review_text.py" />
       <source>unseen</source>
       <translation>no vista</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>deleted</source>
+      <translation>eliminada</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>merged</source>
+      <translation>fusionada</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>split</source>
+      <translation>dividida</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>new pose</source>
+      <translation>nueva pose</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>placeholder</source>
+      <translation>marcador</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />

@@ -1034,6 +1034,11 @@
       <translation>{python} でエンジンを起動できませんでした:{reason}。</translation>
     </message>
     <message>
+      <location filename="../plugin/engine_task.py" />
+      <source>Cancelled.</source>
+      <translation>中止しました。</translation>
+    </message>
+    <message>
       <location filename="../plugin/layers.py" />
       <source>found</source>
       <translation>検出</translation>
@@ -1229,29 +1234,359 @@
       <translation>Tetratrack:テトラポッドの変位</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>deleted</source>
-      <translation>削除</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey description</source>
+      <translation>測量の記述</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>merged</source>
-      <translation>統合</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey (*.toml)</source>
+      <translation>測量 (*.toml)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>split</source>
-      <translation>分割</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fit again after a click on the unit (earlier epoch)</source>
+      <translation>ブロックをクリックして再当てはめ(前の時期)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>new pose</source>
-      <translation>新しい姿勢</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fit again after a click on the unit (later epoch)</source>
+      <translation>ブロックをクリックして再当てはめ(後の時期)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>placeholder</source>
-      <translation>仮置き</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pin by three joints of legs (earlier epoch)</source>
+      <translation>脚の接合点3点で固定(前の時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pin by three joints of legs (later epoch)</source>
+      <translation>脚の接合点3点で固定(後の時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pick feature points beside the fit (earlier epoch)</source>
+      <translation>当てはめと並べて特徴点を読み取る(前の時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pick feature points beside the fit (later epoch)</source>
+      <translation>当てはめと並べて特徴点を読み取る(後の時期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Placeholder for a unit not found</source>
+      <translation>見つからなかったブロックの仮置き</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Merge the two selected units</source>
+      <translation>選択した2つのブロックを統合</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Split at the later epoch: two units taken for one</source>
+      <translation>後の時期で分割:2つのブロックを1つとみなしていた</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Delete: not a unit</source>
+      <translation>削除:ブロックではない</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Take back the last correction</source>
+      <translation>最後の修正を取り消す</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Read the points around the units…</source>
+      <translation>ブロック周辺の点を読む…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The points around the units are needed: read them from the correction menu.</source>
+      <translation>ブロック周辺の点が必要です。修正メニューから読み込んでください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>There are no points here; click on the cloud.</source>
+      <translation>ここには点がありません。点群の上をクリックしてください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The unit has no pose in any epoch to take its size from.</source>
+      <translation>このブロックはどの時期にも姿勢がなく、大きさを決められません。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>pinned by three joints</source>
+      <translation>接合点3点で固定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
+      <translation>この時期にはブロックが見つかっていません。代わりに接合点3点で固定してください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Select the two units to merge.</source>
+      <translation>統合する2つのブロックを選択してください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>There is no correction to take back.</source>
+      <translation>取り消す修正はありません。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Reading points around units</source>
+      <translation>ブロック周辺の点を読み込み中</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Points read.</source>
+      <translation>点を読み込みました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Select a unit first.</source>
+      <translation>先にブロックを選択してください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
+      <translation>地図またはビューでブロックの中央をクリック。Escape で終了。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
+      <translation>地図またはビューで、3本の脚が出会う接合点を3つクリック。Escape で終了。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click a joint where three legs meet; Escape ends.</source>
+      <translation>3本の脚が出会う接合点をクリック。Escape で終了。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click where the unit lies on the map; Escape ends.</source>
+      <translation>地図上でブロックの位置をクリック。Escape で終了。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fitting {unit} again</source>
+      <translation>{unit} を再当てはめ中</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} was fitted again.</source>
+      <translation>{unit} を再当てはめしました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} pinned; the picks fit within {length}.</source>
+      <translation>{unit} を固定しました。読み取り点は {length} 以内で一致します。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{feature} picked, {length} from the fit.</source>
+      <translation>{feature} を読み取りました。当てはめとの差は {length}。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Placeholder {name} stored; it counts as a unit not found.</source>
+      <translation>仮置き {name} を保存しました。見つからなかったブロックとして数えます。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{count} of 3 joints.</source>
+      <translation>接合点 3点中 {count} 点。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{other} is now {keep}.</source>
+      <translation>{other} は {keep} になりました。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} is called {name} from {epoch} on.</source>
+      <translation>{unit} は {epoch} から {name} と呼びます。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} was deleted; take it back from the correction menu.</source>
+      <translation>{unit} を削除しました。修正メニューから取り消せます。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Taken back: {kind} {unit}.</source>
+      <translation>取り消しました:{kind} {unit}。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Check point</source>
+      <translation>検証点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Feature</source>
+      <translation>特徴点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Surveyed</source>
+      <translation>測量値</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Fitted</source>
+      <translation>当てはめ値</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Difference</source>
+      <translation>差</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>3D displacement</source>
+      <translation>3D変位</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>in heights H, in Dn</source>
+      <translation>高さ H、Dn に対する比</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Easting</source>
+      <translation>東</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Northing</source>
+      <translation>北</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Height</source>
+      <translation>高さ</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Horizontal</source>
+      <translation>水平</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>significant</source>
+      <translation>有意</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>not significant</source>
+      <translation>有意でない</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Detection limit</source>
+      <translation>検出限界</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Seen</source>
+      <translation>可視率</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Score</source>
+      <translation>スコア</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Legs seen</source>
+      <translation>見える脚</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{shown} of {all} units shown</source>
+      <translation>{all} 個中 {shown} 個を表示</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} significant</source>
+      <translation>有意 {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} decided</source>
+      <translation>判定済み {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} rejected, excluded from statistics and map</source>
+      <translation>棄却 {count}(統計と地図から除外)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Displacement</source>
+      <translation>変位</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>none: one of the two positions is not known</source>
+      <translation>なし:2つの位置の一方が不明</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Rotation</source>
+      <translation>回転</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Test against no motion</source>
+      <translation>不動に対する検定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Check points ({unit})</source>
+      <translation>検証点({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Nobody has decided on this unit yet.</source>
+      <translation>このブロックはまだ判定されていません。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} lost</source>
+      <translation>消失 {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} new</source>
+      <translation>新規 {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>largest {length}</source>
+      <translation>最大 {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>taken back</source>
+      <translation>取り消し済み</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Picked by hand</source>
+      <translation>手動読み取り</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
+      <translation>{feature}、{epoch}:当てはめから {length} で読み取り({who})</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1267,16 +1602,6 @@
       <location filename="../plugin/review_dock.py" />
       <source>GeoPackage (*.gpkg)</source>
       <translation>GeoPackage (*.gpkg)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
-      <translation>2時期以上の測量の result.gpkg を開いて変位を照査します。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Open result…</source>
-      <translation>結果を開く…</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1320,126 +1645,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Epochs compared</source>
-      <translation>比較する時期</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reference of the displacements</source>
-      <translation>変位の基準</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>All classes</source>
-      <translation>全区分</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Classes shown</source>
-      <translation>表示する区分</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
-      <translation>表示する最小の3D変位。消失・新規・移設のブロックは常に表示</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Area of the units shown</source>
-      <translation>表示するブロックの範囲</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Everywhere</source>
-      <translation>全域</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Undecided only</source>
-      <translation>未判定のみ</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Unit…</source>
-      <translation>ブロック…</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Section along the displacement</source>
-      <translation>変位に沿う断面</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
-      <translation>断面の方向(方眼北から)。各輪郭はそれぞれの中心で切る</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Series</source>
-      <translation>時系列</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Numbers</source>
-      <translation>数値</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>History</source>
-      <translation>履歴</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Comment, stored with the decision</source>
-      <translation>判定とともに保存されるコメント</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reviewer</source>
-      <translation>照査者</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Your name or initials, stored with every decision</source>
-      <translation>氏名またはイニシャル。すべての判定とともに保存</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Check point</source>
-      <translation>検証点</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Feature</source>
-      <translation>特徴点</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Surveyed</source>
-      <translation>測量値</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fitted</source>
-      <translation>当てはめ値</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Difference</source>
-      <translation>差</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Survey description</source>
-      <translation>測量の記述</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Survey (*.toml)</source>
-      <translation>測量 (*.toml)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>PDF (*.pdf);;Web page (*.html)</source>
       <translation>PDF (*.pdf);;Web ページ (*.html)</translation>
     </message>
@@ -1460,163 +1665,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Cancelled.</source>
-      <translation>中止しました。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fit again after a click on the unit (earlier epoch)</source>
-      <translation>ブロックをクリックして再当てはめ(前の時期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fit again after a click on the unit (later epoch)</source>
-      <translation>ブロックをクリックして再当てはめ(後の時期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pin by three joints of legs (earlier epoch)</source>
-      <translation>脚の接合点3点で固定(前の時期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pin by three joints of legs (later epoch)</source>
-      <translation>脚の接合点3点で固定(後の時期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pick feature points beside the fit (earlier epoch)</source>
-      <translation>当てはめと並べて特徴点を読み取る(前の時期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pick feature points beside the fit (later epoch)</source>
-      <translation>当てはめと並べて特徴点を読み取る(後の時期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Placeholder for a unit not found</source>
-      <translation>見つからなかったブロックの仮置き</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Merge the two selected units</source>
-      <translation>選択した2つのブロックを統合</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Split at the later epoch: two units taken for one</source>
-      <translation>後の時期で分割:2つのブロックを1つとみなしていた</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Delete: not a unit</source>
-      <translation>削除:ブロックではない</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Take back the last correction</source>
-      <translation>最後の修正を取り消す</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Read the points around the units…</source>
-      <translation>ブロック周辺の点を読む…</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Accept</source>
-      <translation>採用</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The displacement is right (A)</source>
-      <translation>変位は正しい(A)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reject</source>
-      <translation>棄却</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
-      <translation>変位は誤り:統計、地図、報告書から除く(R)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Inspect</source>
-      <translation>点検</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Inspect on site (I)</source>
-      <translation>現地で点検(I)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Confirm</source>
-      <translation>確認</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Confirm another reviewer's decision (C)</source>
-      <translation>他の照査者の判定を確認する(C)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Undo</source>
-      <translation>元に戻す</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Take back your last decision (U)</source>
-      <translation>自分の最後の判定を取り消す(U)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>3D displacement</source>
-      <translation>3D変位</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>in heights H, in Dn</source>
-      <translation>高さ H、Dn に対する比</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Horizontal</source>
-      <translation>水平</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Detection limit</source>
-      <translation>検出限界</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Displacement</source>
-      <translation>変位</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>none: one of the two positions is not known</source>
-      <translation>なし:2つの位置の一方が不明</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Seen</source>
-      <translation>可視率</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Score</source>
-      <translation>スコア</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Legs seen</source>
-      <translation>見える脚</translation>
+      <source>Decisions of another reviewer were taken in.</source>
+      <translation>他の照査者の判定を取り込みました。</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1635,118 +1685,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Decisions of another reviewer were taken in.</source>
-      <translation>他の照査者の判定を取り込みました。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Select a unit first.</source>
-      <translation>先にブロックを選択してください。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The points around the units are needed: read them from the correction menu.</source>
-      <translation>ブロック周辺の点が必要です。修正メニューから読み込んでください。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The unit has no pose in any epoch to take its size from.</source>
-      <translation>このブロックはどの時期にも姿勢がなく、大きさを決められません。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>pinned by three joints</source>
-      <translation>接合点3点で固定</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
-      <translation>この時期にはブロックが見つかっていません。代わりに接合点3点で固定してください。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Select the two units to merge.</source>
-      <translation>統合する2つのブロックを選択してください。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>There is no correction to take back.</source>
-      <translation>取り消す修正はありません。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reading points around units</source>
-      <translation>ブロック周辺の点を読み込み中</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Points read.</source>
-      <translation>点を読み込みました。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>Writing the report</source>
       <translation>報告書を作成中</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{shown} of {all} units shown</source>
-      <translation>{all} 個中 {shown} 個を表示</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} significant</source>
-      <translation>有意 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} decided</source>
-      <translation>判定済み {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} rejected, excluded from statistics and map</source>
-      <translation>棄却 {count}(統計と地図から除外)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>points not read yet</source>
-      <translation>点は未読み込み</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Easting</source>
-      <translation>東</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Northing</source>
-      <translation>北</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Height</source>
-      <translation>高さ</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Rotation</source>
-      <translation>回転</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>significant</source>
-      <translation>有意</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>not significant</source>
-      <translation>有意でない</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Test against no motion</source>
-      <translation>不動に対する検定</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1760,53 +1700,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
-      <translation>地図またはビューでブロックの中央をクリック。Escape で終了。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
-      <translation>地図またはビューで、3本の脚が出会う接合点を3つクリック。Escape で終了。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click a joint where three legs meet; Escape ends.</source>
-      <translation>3本の脚が出会う接合点をクリック。Escape で終了。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click where the unit lies on the map; Escape ends.</source>
-      <translation>地図上でブロックの位置をクリック。Escape で終了。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>There are no points here; click on the cloud.</source>
-      <translation>ここには点がありません。点群の上をクリックしてください。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fitting {unit} again</source>
-      <translation>{unit} を再当てはめ中</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} was fitted again.</source>
-      <translation>{unit} を再当てはめしました。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} pinned; the picks fit within {length}.</source>
-      <translation>{unit} を固定しました。読み取り点は {length} 以内で一致します。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{feature} picked, {length} from the fit.</source>
-      <translation>{feature} を読み取りました。当てはめとの差は {length}。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Placeholder {name} stored; it counts as a unit not found.</source>
-      <translation>仮置き {name} を保存しました。見つからなかったブロックとして数えます。</translation>
+      <source>Everywhere</source>
+      <translation>全域</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1820,31 +1715,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>In the active layer's polygons</source>
-      <translation>アクティブレイヤのポリゴン内</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} lost</source>
-      <translation>消失 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} new</source>
-      <translation>新規 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>largest {length}</source>
-      <translation>最大 {length}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Nobody has decided on this unit yet.</source>
-      <translation>このブロックはまだ判定されていません。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>{units}: {decision}, stored.</source>
       <translation>{units}:{decision}、保存しました。</translation>
     </message>
@@ -1855,26 +1725,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>{count} of 3 joints.</source>
-      <translation>接合点 3点中 {count} 点。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{other} is now {keep}.</source>
-      <translation>{other} は {keep} になりました。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} is called {name} from {epoch} on.</source>
-      <translation>{unit} は {epoch} から {name} と呼びます。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} was deleted; take it back from the correction menu.</source>
-      <translation>{unit} を削除しました。修正メニューから取り消せます。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>Report written to {name}.</source>
       <translation>報告書を {name} に書き出しました。</translation>
     </message>
@@ -1882,31 +1732,6 @@
       <location filename="../plugin/review_dock.py" />
       <source>{count} units written to {name}.</source>
       <translation>{count} 個のブロックを {name} に書き出しました。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Picked by hand</source>
-      <translation>手動読み取り</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>taken back</source>
-      <translation>取り消し済み</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Taken back: {kind} {unit}.</source>
-      <translation>取り消しました:{kind} {unit}。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Check points ({unit})</source>
-      <translation>検証点({unit})</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
-      <translation>{feature}、{epoch}:当てはめから {length} で読み取り({who})</translation>
     </message>
     <message>
       <location filename="../plugin/review_map.py" />
@@ -1932,6 +1757,126 @@
       <location filename="../plugin/review_map.py" />
       <source>Displacement review: {name}</source>
       <translation>変位の照査:{name}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
+      <translation>2時期以上の測量の result.gpkg を開いて変位を照査します。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open result…</source>
+      <translation>結果を開く…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Epochs compared</source>
+      <translation>比較する時期</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reference of the displacements</source>
+      <translation>変位の基準</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>All classes</source>
+      <translation>全区分</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Classes shown</source>
+      <translation>表示する区分</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
+      <translation>表示する最小の3D変位。消失・新規・移設のブロックは常に表示</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Area of the units shown</source>
+      <translation>表示するブロックの範囲</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Undecided only</source>
+      <translation>未判定のみ</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Unit…</source>
+      <translation>ブロック…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Comment, stored with the decision</source>
+      <translation>判定とともに保存されるコメント</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reviewer</source>
+      <translation>照査者</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Your name or initials, stored with every decision</source>
+      <translation>氏名またはイニシャル。すべての判定とともに保存</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>In the active layer's polygons</source>
+      <translation>アクティブレイヤのポリゴン内</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Accept</source>
+      <translation>採用</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The displacement is right (A)</source>
+      <translation>変位は正しい(A)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reject</source>
+      <translation>棄却</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
+      <translation>変位は誤り:統計、地図、報告書から除く(R)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Inspect</source>
+      <translation>点検</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Inspect on site (I)</source>
+      <translation>現地で点検(I)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Confirm</source>
+      <translation>確認</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Confirm another reviewer's decision (C)</source>
+      <translation>他の照査者の判定を確認する(C)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Undo</source>
+      <translation>元に戻す</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Take back your last decision (U)</source>
+      <translation>自分の最後の判定を取り消す(U)</translation>
     </message>
     <message>
       <location filename="../plugin/review_plots.py" />
@@ -1974,6 +1919,36 @@
       <translation>検出限界</translation>
     </message>
     <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Series</source>
+      <translation>時系列</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Section along the displacement</source>
+      <translation>変位に沿う断面</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
+      <translation>断面の方向(方眼北から)。各輪郭はそれぞれの中心で切る</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Numbers</source>
+      <translation>数値</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>History</source>
+      <translation>履歴</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>points not read yet</source>
+      <translation>点は未読み込み</translation>
+    </message>
+    <message>
       <location filename="../plugin/review_text.py" />
       <source>stable</source>
       <translation>安定</translation>
@@ -1997,6 +1972,31 @@
       <location filename="../plugin/review_text.py" />
       <source>unseen</source>
       <translation>不可視</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>deleted</source>
+      <translation>削除</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>merged</source>
+      <translation>統合</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>split</source>
+      <translation>分割</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>new pose</source>
+      <translation>新しい姿勢</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>placeholder</source>
+      <translation>仮置き</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />

@@ -1034,6 +1034,11 @@
       <translation>{python}(으)로 엔진을 시작할 수 없습니다: {reason}.</translation>
     </message>
     <message>
+      <location filename="../plugin/engine_task.py" />
+      <source>Cancelled.</source>
+      <translation>취소되었습니다.</translation>
+    </message>
+    <message>
       <location filename="../plugin/layers.py" />
       <source>found</source>
       <translation>찾음</translation>
@@ -1229,29 +1234,359 @@
       <translation>Tetratrack: 테트라포드 변위</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>deleted</source>
-      <translation>삭제됨</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey description</source>
+      <translation>측량 설명</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>merged</source>
-      <translation>병합됨</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey (*.toml)</source>
+      <translation>측량 (*.toml)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>split</source>
-      <translation>분리됨</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fit again after a click on the unit (earlier epoch)</source>
+      <translation>블록을 클릭해 다시 맞춤(앞 시기)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>new pose</source>
-      <translation>새 자세</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fit again after a click on the unit (later epoch)</source>
+      <translation>블록을 클릭해 다시 맞춤(뒤 시기)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>placeholder</source>
-      <translation>자리표시</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pin by three joints of legs (earlier epoch)</source>
+      <translation>다리 접합점 셋으로 고정(앞 시기)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pin by three joints of legs (later epoch)</source>
+      <translation>다리 접합점 셋으로 고정(뒤 시기)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pick feature points beside the fit (earlier epoch)</source>
+      <translation>맞춤 옆에 특징점 찍기(앞 시기)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pick feature points beside the fit (later epoch)</source>
+      <translation>맞춤 옆에 특징점 찍기(뒤 시기)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Placeholder for a unit not found</source>
+      <translation>찾지 못한 블록의 자리표시</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Merge the two selected units</source>
+      <translation>선택한 두 블록 병합</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Split at the later epoch: two units taken for one</source>
+      <translation>뒤 시기에서 분리: 두 블록을 하나로 봄</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Delete: not a unit</source>
+      <translation>삭제: 블록이 아님</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Take back the last correction</source>
+      <translation>마지막 수정 되돌리기</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Read the points around the units…</source>
+      <translation>블록 둘레의 점 읽기…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The points around the units are needed: read them from the correction menu.</source>
+      <translation>블록 둘레의 점이 필요합니다. 수정 메뉴에서 읽으십시오.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>There are no points here; click on the cloud.</source>
+      <translation>여기에는 점이 없습니다. 점군 위를 클릭하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The unit has no pose in any epoch to take its size from.</source>
+      <translation>어느 시기에도 자세가 없어 크기를 알 수 없는 블록입니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>pinned by three joints</source>
+      <translation>접합점 셋으로 고정</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
+      <translation>이 시기에 블록을 찾지 못했습니다. 대신 접합점 셋으로 고정하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Select the two units to merge.</source>
+      <translation>병합할 두 블록을 고르십시오.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>There is no correction to take back.</source>
+      <translation>되돌릴 수정이 없습니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Reading points around units</source>
+      <translation>블록 둘레의 점 읽는 중</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Points read.</source>
+      <translation>점을 읽었습니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Select a unit first.</source>
+      <translation>먼저 블록을 고르십시오.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
+      <translation>지도나 뷰에서 블록 가운데를 클릭하십시오. Escape로 끝냅니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
+      <translation>지도나 뷰에서 세 다리가 만나는 접합점 셋을 클릭하십시오. Escape로 끝냅니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click a joint where three legs meet; Escape ends.</source>
+      <translation>세 다리가 만나는 접합점을 클릭하십시오. Escape로 끝냅니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click where the unit lies on the map; Escape ends.</source>
+      <translation>지도에서 블록 위치를 클릭하십시오. Escape로 끝냅니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fitting {unit} again</source>
+      <translation>{unit} 다시 맞추는 중</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} was fitted again.</source>
+      <translation>{unit}을(를) 다시 맞췄습니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} pinned; the picks fit within {length}.</source>
+      <translation>{unit} 고정됨. 찍은 점이 {length} 안에서 맞습니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{feature} picked, {length} from the fit.</source>
+      <translation>{feature} 찍음, 맞춤에서 {length}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Placeholder {name} stored; it counts as a unit not found.</source>
+      <translation>자리표시 {name} 저장됨. 찾지 못한 블록으로 셉니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{count} of 3 joints.</source>
+      <translation>접합점 3개 중 {count}개.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{other} is now {keep}.</source>
+      <translation>{other}은(는) 이제 {keep}입니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} is called {name} from {epoch} on.</source>
+      <translation>{unit}은(는) {epoch}부터 {name}(으)로 부릅니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} was deleted; take it back from the correction menu.</source>
+      <translation>{unit} 삭제됨. 수정 메뉴에서 되돌릴 수 있습니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Taken back: {kind} {unit}.</source>
+      <translation>되돌림: {kind} {unit}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Check point</source>
+      <translation>검사점</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Feature</source>
+      <translation>특징점</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Surveyed</source>
+      <translation>측량값</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Fitted</source>
+      <translation>맞춤값</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Difference</source>
+      <translation>차이</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>3D displacement</source>
+      <translation>3D 변위</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>in heights H, in Dn</source>
+      <translation>높이 H, Dn 단위</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Easting</source>
+      <translation>동</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Northing</source>
+      <translation>북</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Height</source>
+      <translation>높이</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Horizontal</source>
+      <translation>수평</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>significant</source>
+      <translation>유의</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>not significant</source>
+      <translation>유의하지 않음</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Detection limit</source>
+      <translation>검출 한계</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Seen</source>
+      <translation>보임</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Score</source>
+      <translation>점수</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Legs seen</source>
+      <translation>보이는 다리</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{shown} of {all} units shown</source>
+      <translation>블록 {all}개 중 {shown}개 표시</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} significant</source>
+      <translation>유의 {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} decided</source>
+      <translation>결정 {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} rejected, excluded from statistics and map</source>
+      <translation>기각 {count}, 통계와 지도에서 제외</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Displacement</source>
+      <translation>변위</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>none: one of the two positions is not known</source>
+      <translation>없음: 두 위치 가운데 하나를 모름</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Rotation</source>
+      <translation>회전</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Test against no motion</source>
+      <translation>움직임 없음에 대한 검정</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Check points ({unit})</source>
+      <translation>검사점({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Nobody has decided on this unit yet.</source>
+      <translation>이 블록은 아직 아무도 결정하지 않았습니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} lost</source>
+      <translation>소실 {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} new</source>
+      <translation>신규 {count}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>largest {length}</source>
+      <translation>최대 {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>taken back</source>
+      <translation>되돌림</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Picked by hand</source>
+      <translation>손으로 찍음</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
+      <translation>{feature}, {epoch}: 맞춤에서 {length} 찍음({who})</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1267,16 +1602,6 @@
       <location filename="../plugin/review_dock.py" />
       <source>GeoPackage (*.gpkg)</source>
       <translation>GeoPackage (*.gpkg)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
-      <translation>두 시기 이상인 측량의 result.gpkg를 열어 변위를 검토하십시오.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Open result…</source>
-      <translation>결과 열기…</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1320,126 +1645,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Epochs compared</source>
-      <translation>비교하는 시기</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reference of the displacements</source>
-      <translation>변위의 기준</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>All classes</source>
-      <translation>모든 등급</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Classes shown</source>
-      <translation>보이는 등급</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
-      <translation>보이는 최소 3D 변위. 소실, 신규, 이탈 블록은 항상 보임</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Area of the units shown</source>
-      <translation>보이는 블록의 영역</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Everywhere</source>
-      <translation>전체</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Undecided only</source>
-      <translation>미결정만</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Unit…</source>
-      <translation>블록…</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Section along the displacement</source>
-      <translation>변위를 따른 단면</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
-      <translation>단면 방향(도북 기준). 각 윤곽은 자기 중심에서 자름</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Series</source>
-      <translation>시계열</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Numbers</source>
-      <translation>수치</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>History</source>
-      <translation>이력</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Comment, stored with the decision</source>
-      <translation>결정과 함께 저장되는 의견</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reviewer</source>
-      <translation>검토자</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Your name or initials, stored with every decision</source>
-      <translation>이름 또는 머리글자. 모든 결정과 함께 저장</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Check point</source>
-      <translation>검사점</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Feature</source>
-      <translation>특징점</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Surveyed</source>
-      <translation>측량값</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fitted</source>
-      <translation>맞춤값</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Difference</source>
-      <translation>차이</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Survey description</source>
-      <translation>측량 설명</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Survey (*.toml)</source>
-      <translation>측량 (*.toml)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>PDF (*.pdf);;Web page (*.html)</source>
       <translation>PDF (*.pdf);;웹 페이지 (*.html)</translation>
     </message>
@@ -1460,163 +1665,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Cancelled.</source>
-      <translation>취소되었습니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fit again after a click on the unit (earlier epoch)</source>
-      <translation>블록을 클릭해 다시 맞춤(앞 시기)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fit again after a click on the unit (later epoch)</source>
-      <translation>블록을 클릭해 다시 맞춤(뒤 시기)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pin by three joints of legs (earlier epoch)</source>
-      <translation>다리 접합점 셋으로 고정(앞 시기)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pin by three joints of legs (later epoch)</source>
-      <translation>다리 접합점 셋으로 고정(뒤 시기)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pick feature points beside the fit (earlier epoch)</source>
-      <translation>맞춤 옆에 특징점 찍기(앞 시기)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pick feature points beside the fit (later epoch)</source>
-      <translation>맞춤 옆에 특징점 찍기(뒤 시기)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Placeholder for a unit not found</source>
-      <translation>찾지 못한 블록의 자리표시</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Merge the two selected units</source>
-      <translation>선택한 두 블록 병합</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Split at the later epoch: two units taken for one</source>
-      <translation>뒤 시기에서 분리: 두 블록을 하나로 봄</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Delete: not a unit</source>
-      <translation>삭제: 블록이 아님</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Take back the last correction</source>
-      <translation>마지막 수정 되돌리기</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Read the points around the units…</source>
-      <translation>블록 둘레의 점 읽기…</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Accept</source>
-      <translation>채택</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The displacement is right (A)</source>
-      <translation>변위가 맞음(A)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reject</source>
-      <translation>기각</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
-      <translation>변위가 틀림: 통계, 지도, 보고서에서 뺌(R)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Inspect</source>
-      <translation>점검</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Inspect on site (I)</source>
-      <translation>현장 점검(I)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Confirm</source>
-      <translation>확인</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Confirm another reviewer's decision (C)</source>
-      <translation>다른 검토자의 결정 확인(C)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Undo</source>
-      <translation>실행 취소</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Take back your last decision (U)</source>
-      <translation>자신의 마지막 결정 되돌리기(U)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>3D displacement</source>
-      <translation>3D 변위</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>in heights H, in Dn</source>
-      <translation>높이 H, Dn 단위</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Horizontal</source>
-      <translation>수평</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Detection limit</source>
-      <translation>검출 한계</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Displacement</source>
-      <translation>변위</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>none: one of the two positions is not known</source>
-      <translation>없음: 두 위치 가운데 하나를 모름</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Seen</source>
-      <translation>보임</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Score</source>
-      <translation>점수</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Legs seen</source>
-      <translation>보이는 다리</translation>
+      <source>Decisions of another reviewer were taken in.</source>
+      <translation>다른 검토자의 결정을 받아들였습니다.</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1635,118 +1685,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Decisions of another reviewer were taken in.</source>
-      <translation>다른 검토자의 결정을 받아들였습니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Select a unit first.</source>
-      <translation>먼저 블록을 고르십시오.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The points around the units are needed: read them from the correction menu.</source>
-      <translation>블록 둘레의 점이 필요합니다. 수정 메뉴에서 읽으십시오.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The unit has no pose in any epoch to take its size from.</source>
-      <translation>어느 시기에도 자세가 없어 크기를 알 수 없는 블록입니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>pinned by three joints</source>
-      <translation>접합점 셋으로 고정</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
-      <translation>이 시기에 블록을 찾지 못했습니다. 대신 접합점 셋으로 고정하십시오.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Select the two units to merge.</source>
-      <translation>병합할 두 블록을 고르십시오.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>There is no correction to take back.</source>
-      <translation>되돌릴 수정이 없습니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reading points around units</source>
-      <translation>블록 둘레의 점 읽는 중</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Points read.</source>
-      <translation>점을 읽었습니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>Writing the report</source>
       <translation>보고서 쓰는 중</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{shown} of {all} units shown</source>
-      <translation>블록 {all}개 중 {shown}개 표시</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} significant</source>
-      <translation>유의 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} decided</source>
-      <translation>결정 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} rejected, excluded from statistics and map</source>
-      <translation>기각 {count}, 통계와 지도에서 제외</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>points not read yet</source>
-      <translation>점을 아직 읽지 않음</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Easting</source>
-      <translation>동</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Northing</source>
-      <translation>북</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Height</source>
-      <translation>높이</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Rotation</source>
-      <translation>회전</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>significant</source>
-      <translation>유의</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>not significant</source>
-      <translation>유의하지 않음</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Test against no motion</source>
-      <translation>움직임 없음에 대한 검정</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1760,53 +1700,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
-      <translation>지도나 뷰에서 블록 가운데를 클릭하십시오. Escape로 끝냅니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
-      <translation>지도나 뷰에서 세 다리가 만나는 접합점 셋을 클릭하십시오. Escape로 끝냅니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click a joint where three legs meet; Escape ends.</source>
-      <translation>세 다리가 만나는 접합점을 클릭하십시오. Escape로 끝냅니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click where the unit lies on the map; Escape ends.</source>
-      <translation>지도에서 블록 위치를 클릭하십시오. Escape로 끝냅니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>There are no points here; click on the cloud.</source>
-      <translation>여기에는 점이 없습니다. 점군 위를 클릭하십시오.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fitting {unit} again</source>
-      <translation>{unit} 다시 맞추는 중</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} was fitted again.</source>
-      <translation>{unit}을(를) 다시 맞췄습니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} pinned; the picks fit within {length}.</source>
-      <translation>{unit} 고정됨. 찍은 점이 {length} 안에서 맞습니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{feature} picked, {length} from the fit.</source>
-      <translation>{feature} 찍음, 맞춤에서 {length}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Placeholder {name} stored; it counts as a unit not found.</source>
-      <translation>자리표시 {name} 저장됨. 찾지 못한 블록으로 셉니다.</translation>
+      <source>Everywhere</source>
+      <translation>전체</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1820,31 +1715,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>In the active layer's polygons</source>
-      <translation>활성 레이어의 폴리곤 안</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} lost</source>
-      <translation>소실 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} new</source>
-      <translation>신규 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>largest {length}</source>
-      <translation>최대 {length}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Nobody has decided on this unit yet.</source>
-      <translation>이 블록은 아직 아무도 결정하지 않았습니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>{units}: {decision}, stored.</source>
       <translation>{units}: {decision}, 저장됨.</translation>
     </message>
@@ -1855,26 +1725,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>{count} of 3 joints.</source>
-      <translation>접합점 3개 중 {count}개.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{other} is now {keep}.</source>
-      <translation>{other}은(는) 이제 {keep}입니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} is called {name} from {epoch} on.</source>
-      <translation>{unit}은(는) {epoch}부터 {name}(으)로 부릅니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} was deleted; take it back from the correction menu.</source>
-      <translation>{unit} 삭제됨. 수정 메뉴에서 되돌릴 수 있습니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>Report written to {name}.</source>
       <translation>보고서를 {name}에 썼습니다.</translation>
     </message>
@@ -1882,31 +1732,6 @@
       <location filename="../plugin/review_dock.py" />
       <source>{count} units written to {name}.</source>
       <translation>블록 {count}개를 {name}에 썼습니다.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Picked by hand</source>
-      <translation>손으로 찍음</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>taken back</source>
-      <translation>되돌림</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Taken back: {kind} {unit}.</source>
-      <translation>되돌림: {kind} {unit}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Check points ({unit})</source>
-      <translation>검사점({unit})</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
-      <translation>{feature}, {epoch}: 맞춤에서 {length} 찍음({who})</translation>
     </message>
     <message>
       <location filename="../plugin/review_map.py" />
@@ -1932,6 +1757,126 @@
       <location filename="../plugin/review_map.py" />
       <source>Displacement review: {name}</source>
       <translation>변위 검토: {name}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
+      <translation>두 시기 이상인 측량의 result.gpkg를 열어 변위를 검토하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open result…</source>
+      <translation>결과 열기…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Epochs compared</source>
+      <translation>비교하는 시기</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reference of the displacements</source>
+      <translation>변위의 기준</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>All classes</source>
+      <translation>모든 등급</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Classes shown</source>
+      <translation>보이는 등급</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
+      <translation>보이는 최소 3D 변위. 소실, 신규, 이탈 블록은 항상 보임</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Area of the units shown</source>
+      <translation>보이는 블록의 영역</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Undecided only</source>
+      <translation>미결정만</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Unit…</source>
+      <translation>블록…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Comment, stored with the decision</source>
+      <translation>결정과 함께 저장되는 의견</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reviewer</source>
+      <translation>검토자</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Your name or initials, stored with every decision</source>
+      <translation>이름 또는 머리글자. 모든 결정과 함께 저장</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>In the active layer's polygons</source>
+      <translation>활성 레이어의 폴리곤 안</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Accept</source>
+      <translation>채택</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The displacement is right (A)</source>
+      <translation>변위가 맞음(A)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reject</source>
+      <translation>기각</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
+      <translation>변위가 틀림: 통계, 지도, 보고서에서 뺌(R)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Inspect</source>
+      <translation>점검</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Inspect on site (I)</source>
+      <translation>현장 점검(I)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Confirm</source>
+      <translation>확인</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Confirm another reviewer's decision (C)</source>
+      <translation>다른 검토자의 결정 확인(C)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Undo</source>
+      <translation>실행 취소</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Take back your last decision (U)</source>
+      <translation>자신의 마지막 결정 되돌리기(U)</translation>
     </message>
     <message>
       <location filename="../plugin/review_plots.py" />
@@ -1974,6 +1919,36 @@
       <translation>검출 한계</translation>
     </message>
     <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Series</source>
+      <translation>시계열</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Section along the displacement</source>
+      <translation>변위를 따른 단면</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
+      <translation>단면 방향(도북 기준). 각 윤곽은 자기 중심에서 자름</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Numbers</source>
+      <translation>수치</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>History</source>
+      <translation>이력</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>points not read yet</source>
+      <translation>점을 아직 읽지 않음</translation>
+    </message>
+    <message>
       <location filename="../plugin/review_text.py" />
       <source>stable</source>
       <translation>안정</translation>
@@ -1997,6 +1972,31 @@
       <location filename="../plugin/review_text.py" />
       <source>unseen</source>
       <translation>안 보임</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>deleted</source>
+      <translation>삭제됨</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>merged</source>
+      <translation>병합됨</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>split</source>
+      <translation>분리됨</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>new pose</source>
+      <translation>새 자세</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>placeholder</source>
+      <translation>자리표시</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />

@@ -1034,6 +1034,11 @@
       <translation>Não foi possível iniciar o motor com {python}: {reason}.</translation>
     </message>
     <message>
+      <location filename="../plugin/engine_task.py" />
+      <source>Cancelled.</source>
+      <translation>Cancelado.</translation>
+    </message>
+    <message>
       <location filename="../plugin/layers.py" />
       <source>found</source>
       <translation>encontrado</translation>
@@ -1229,29 +1234,359 @@
       <translation>Tetratrack: deslocamentos de tetrápodes</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>deleted</source>
-      <translation>eliminado</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey description</source>
+      <translation>Descrição do levantamento</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>merged</source>
-      <translation>fundido</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey (*.toml)</source>
+      <translation>Levantamento (*.toml)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>split</source>
-      <translation>dividido</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fit again after a click on the unit (earlier epoch)</source>
+      <translation>Ajustar de novo após clicar no bloco (época anterior)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>new pose</source>
-      <translation>nova pose</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fit again after a click on the unit (later epoch)</source>
+      <translation>Ajustar de novo após clicar no bloco (época posterior)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>placeholder</source>
-      <translation>marcador</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pin by three joints of legs (earlier epoch)</source>
+      <translation>Fixar por três junções de pernas (época anterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pin by three joints of legs (later epoch)</source>
+      <translation>Fixar por três junções de pernas (época posterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pick feature points beside the fit (earlier epoch)</source>
+      <translation>Marcar pontos característicos ao lado do ajustamento (época anterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pick feature points beside the fit (later epoch)</source>
+      <translation>Marcar pontos característicos ao lado do ajustamento (época posterior)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Placeholder for a unit not found</source>
+      <translation>Marcador de um bloco não encontrado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Merge the two selected units</source>
+      <translation>Fundir os dois blocos selecionados</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Split at the later epoch: two units taken for one</source>
+      <translation>Dividir na época posterior: dois blocos tomados por um</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Delete: not a unit</source>
+      <translation>Eliminar: não é um bloco</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Take back the last correction</source>
+      <translation>Anular a última correção</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Read the points around the units…</source>
+      <translation>Ler os pontos à volta dos blocos…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The points around the units are needed: read them from the correction menu.</source>
+      <translation>São precisos os pontos à volta dos blocos: leia-os no menu de correção.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>There are no points here; click on the cloud.</source>
+      <translation>Não há pontos aqui; clique na nuvem.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The unit has no pose in any epoch to take its size from.</source>
+      <translation>O bloco não tem pose em nenhuma época de onde tirar o tamanho.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>pinned by three joints</source>
+      <translation>fixado por três junções</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
+      <translation>O bloco não foi encontrado nesta época: fixe-o antes por três junções.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Select the two units to merge.</source>
+      <translation>Selecione os dois blocos a fundir.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>There is no correction to take back.</source>
+      <translation>Não há correção para anular.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Reading points around units</source>
+      <translation>A ler pontos à volta dos blocos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Points read.</source>
+      <translation>Pontos lidos.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Select a unit first.</source>
+      <translation>Selecione primeiro um bloco.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
+      <translation>Clique no meio do bloco no mapa ou numa vista; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
+      <translation>Clique em três junções onde três pernas se encontram, no mapa ou nas vistas; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click a joint where three legs meet; Escape ends.</source>
+      <translation>Clique numa junção onde três pernas se encontram; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click where the unit lies on the map; Escape ends.</source>
+      <translation>Clique onde está o bloco no mapa; Escape termina.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fitting {unit} again</source>
+      <translation>A ajustar {unit} de novo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} was fitted again.</source>
+      <translation>{unit} foi ajustado de novo.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} pinned; the picks fit within {length}.</source>
+      <translation>{unit} fixado; as marcas concordam dentro de {length}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{feature} picked, {length} from the fit.</source>
+      <translation>{feature} marcado, a {length} do ajustamento.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Placeholder {name} stored; it counts as a unit not found.</source>
+      <translation>Marcador {name} guardado; conta como bloco não encontrado.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{count} of 3 joints.</source>
+      <translation>{count} de 3 junções.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{other} is now {keep}.</source>
+      <translation>{other} é agora {keep}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} is called {name} from {epoch} on.</source>
+      <translation>{unit} chama-se {name} a partir de {epoch}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} was deleted; take it back from the correction menu.</source>
+      <translation>{unit} foi eliminado; recupere-o no menu de correção.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Taken back: {kind} {unit}.</source>
+      <translation>Retirado: {kind} {unit}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Check point</source>
+      <translation>Ponto de verificação</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Feature</source>
+      <translation>Ponto característico</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Surveyed</source>
+      <translation>Medido</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Fitted</source>
+      <translation>Ajustado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Difference</source>
+      <translation>Diferença</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>3D displacement</source>
+      <translation>Deslocamento 3D</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>in heights H, in Dn</source>
+      <translation>em alturas H, em Dn</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Easting</source>
+      <translation>Este</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Northing</source>
+      <translation>Norte</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Height</source>
+      <translation>Altitude</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Horizontal</source>
+      <translation>Horizontal</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>significant</source>
+      <translation>significativo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>not significant</source>
+      <translation>não significativo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Detection limit</source>
+      <translation>Limite de deteção</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Seen</source>
+      <translation>Visto</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Score</source>
+      <translation>Pontuação</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Legs seen</source>
+      <translation>Pernas vistas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{shown} of {all} units shown</source>
+      <translation>{shown} de {all} blocos mostrados</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} significant</source>
+      <translation>{count} significativos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} decided</source>
+      <translation>{count} decididos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} rejected, excluded from statistics and map</source>
+      <translation>{count} rejeitados, fora das estatísticas e do mapa</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Displacement</source>
+      <translation>Deslocamento</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>none: one of the two positions is not known</source>
+      <translation>nenhum: uma das duas posições é desconhecida</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Rotation</source>
+      <translation>Rotação</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Test against no motion</source>
+      <translation>Teste contra imobilidade</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Check points ({unit})</source>
+      <translation>Pontos de verificação ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Nobody has decided on this unit yet.</source>
+      <translation>Ainda ninguém decidiu sobre este bloco.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} lost</source>
+      <translation>{count} perdidos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} new</source>
+      <translation>{count} novos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>largest {length}</source>
+      <translation>máximo {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>taken back</source>
+      <translation>retirado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Picked by hand</source>
+      <translation>Marcado à mão</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
+      <translation>{feature}, {epoch}: marcado a {length} do ajustamento ({who})</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1267,16 +1602,6 @@
       <location filename="../plugin/review_dock.py" />
       <source>GeoPackage (*.gpkg)</source>
       <translation>GeoPackage (*.gpkg)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
-      <translation>Abra o result.gpkg de um levantamento com duas épocas ou mais para rever os deslocamentos.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Open result…</source>
-      <translation>Abrir resultado…</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1320,126 +1645,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Epochs compared</source>
-      <translation>Épocas comparadas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reference of the displacements</source>
-      <translation>Referência dos deslocamentos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>All classes</source>
-      <translation>Todas as classes</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Classes shown</source>
-      <translation>Classes mostradas</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
-      <translation>Menor deslocamento 3D mostrado; blocos perdidos, novos e arrastados são sempre mostrados</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Area of the units shown</source>
-      <translation>Área dos blocos mostrados</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Everywhere</source>
-      <translation>Em toda a parte</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Undecided only</source>
-      <translation>Só por decidir</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Unit…</source>
-      <translation>Bloco…</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Section along the displacement</source>
-      <translation>Secção ao longo do deslocamento</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
-      <translation>Direção da secção, a partir do norte da quadrícula; cada contorno é cortado pelo seu próprio centro</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Series</source>
-      <translation>Série</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Numbers</source>
-      <translation>Números</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>History</source>
-      <translation>Histórico</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Comment, stored with the decision</source>
-      <translation>Comentário, guardado com a decisão</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reviewer</source>
-      <translation>Revisor</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Your name or initials, stored with every decision</source>
-      <translation>O seu nome ou iniciais, guardados com cada decisão</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Check point</source>
-      <translation>Ponto de verificação</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Feature</source>
-      <translation>Ponto característico</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Surveyed</source>
-      <translation>Medido</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fitted</source>
-      <translation>Ajustado</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Difference</source>
-      <translation>Diferença</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Survey description</source>
-      <translation>Descrição do levantamento</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Survey (*.toml)</source>
-      <translation>Levantamento (*.toml)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>PDF (*.pdf);;Web page (*.html)</source>
       <translation>PDF (*.pdf);;Página web (*.html)</translation>
     </message>
@@ -1460,163 +1665,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Cancelled.</source>
-      <translation>Cancelado.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fit again after a click on the unit (earlier epoch)</source>
-      <translation>Ajustar de novo após clicar no bloco (época anterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fit again after a click on the unit (later epoch)</source>
-      <translation>Ajustar de novo após clicar no bloco (época posterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pin by three joints of legs (earlier epoch)</source>
-      <translation>Fixar por três junções de pernas (época anterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pin by three joints of legs (later epoch)</source>
-      <translation>Fixar por três junções de pernas (época posterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pick feature points beside the fit (earlier epoch)</source>
-      <translation>Marcar pontos característicos ao lado do ajustamento (época anterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pick feature points beside the fit (later epoch)</source>
-      <translation>Marcar pontos característicos ao lado do ajustamento (época posterior)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Placeholder for a unit not found</source>
-      <translation>Marcador de um bloco não encontrado</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Merge the two selected units</source>
-      <translation>Fundir os dois blocos selecionados</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Split at the later epoch: two units taken for one</source>
-      <translation>Dividir na época posterior: dois blocos tomados por um</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Delete: not a unit</source>
-      <translation>Eliminar: não é um bloco</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Take back the last correction</source>
-      <translation>Anular a última correção</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Read the points around the units…</source>
-      <translation>Ler os pontos à volta dos blocos…</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Accept</source>
-      <translation>Aceitar</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The displacement is right (A)</source>
-      <translation>O deslocamento está certo (A)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reject</source>
-      <translation>Rejeitar</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
-      <translation>O deslocamento está errado: sai das estatísticas, mapas e relatório (R)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Inspect</source>
-      <translation>Inspecionar</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Inspect on site (I)</source>
-      <translation>Inspecionar no local (I)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Confirm</source>
-      <translation>Confirmar</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Confirm another reviewer's decision (C)</source>
-      <translation>Confirmar a decisão de outro revisor (C)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Undo</source>
-      <translation>Anular</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Take back your last decision (U)</source>
-      <translation>Retirar a sua última decisão (U)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>3D displacement</source>
-      <translation>Deslocamento 3D</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>in heights H, in Dn</source>
-      <translation>em alturas H, em Dn</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Horizontal</source>
-      <translation>Horizontal</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Detection limit</source>
-      <translation>Limite de deteção</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Displacement</source>
-      <translation>Deslocamento</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>none: one of the two positions is not known</source>
-      <translation>nenhum: uma das duas posições é desconhecida</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Seen</source>
-      <translation>Visto</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Score</source>
-      <translation>Pontuação</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Legs seen</source>
-      <translation>Pernas vistas</translation>
+      <source>Decisions of another reviewer were taken in.</source>
+      <translation>Foram incorporadas decisões de outro revisor.</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1635,118 +1685,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Decisions of another reviewer were taken in.</source>
-      <translation>Foram incorporadas decisões de outro revisor.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Select a unit first.</source>
-      <translation>Selecione primeiro um bloco.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The points around the units are needed: read them from the correction menu.</source>
-      <translation>São precisos os pontos à volta dos blocos: leia-os no menu de correção.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The unit has no pose in any epoch to take its size from.</source>
-      <translation>O bloco não tem pose em nenhuma época de onde tirar o tamanho.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>pinned by three joints</source>
-      <translation>fixado por três junções</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
-      <translation>O bloco não foi encontrado nesta época: fixe-o antes por três junções.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Select the two units to merge.</source>
-      <translation>Selecione os dois blocos a fundir.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>There is no correction to take back.</source>
-      <translation>Não há correção para anular.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reading points around units</source>
-      <translation>A ler pontos à volta dos blocos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Points read.</source>
-      <translation>Pontos lidos.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>Writing the report</source>
       <translation>A escrever o relatório</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{shown} of {all} units shown</source>
-      <translation>{shown} de {all} blocos mostrados</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} significant</source>
-      <translation>{count} significativos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} decided</source>
-      <translation>{count} decididos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} rejected, excluded from statistics and map</source>
-      <translation>{count} rejeitados, fora das estatísticas e do mapa</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>points not read yet</source>
-      <translation>pontos ainda não lidos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Easting</source>
-      <translation>Este</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Northing</source>
-      <translation>Norte</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Height</source>
-      <translation>Altitude</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Rotation</source>
-      <translation>Rotação</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>significant</source>
-      <translation>significativo</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>not significant</source>
-      <translation>não significativo</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Test against no motion</source>
-      <translation>Teste contra imobilidade</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1760,53 +1700,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
-      <translation>Clique no meio do bloco no mapa ou numa vista; Escape termina.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
-      <translation>Clique em três junções onde três pernas se encontram, no mapa ou nas vistas; Escape termina.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click a joint where three legs meet; Escape ends.</source>
-      <translation>Clique numa junção onde três pernas se encontram; Escape termina.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click where the unit lies on the map; Escape ends.</source>
-      <translation>Clique onde está o bloco no mapa; Escape termina.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>There are no points here; click on the cloud.</source>
-      <translation>Não há pontos aqui; clique na nuvem.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fitting {unit} again</source>
-      <translation>A ajustar {unit} de novo</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} was fitted again.</source>
-      <translation>{unit} foi ajustado de novo.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} pinned; the picks fit within {length}.</source>
-      <translation>{unit} fixado; as marcas concordam dentro de {length}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{feature} picked, {length} from the fit.</source>
-      <translation>{feature} marcado, a {length} do ajustamento.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Placeholder {name} stored; it counts as a unit not found.</source>
-      <translation>Marcador {name} guardado; conta como bloco não encontrado.</translation>
+      <source>Everywhere</source>
+      <translation>Em toda a parte</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1820,31 +1715,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>In the active layer's polygons</source>
-      <translation>Nos polígonos da camada ativa</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} lost</source>
-      <translation>{count} perdidos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} new</source>
-      <translation>{count} novos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>largest {length}</source>
-      <translation>máximo {length}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Nobody has decided on this unit yet.</source>
-      <translation>Ainda ninguém decidiu sobre este bloco.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>{units}: {decision}, stored.</source>
       <translation>{units}: {decision}, guardado.</translation>
     </message>
@@ -1855,26 +1725,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>{count} of 3 joints.</source>
-      <translation>{count} de 3 junções.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{other} is now {keep}.</source>
-      <translation>{other} é agora {keep}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} is called {name} from {epoch} on.</source>
-      <translation>{unit} chama-se {name} a partir de {epoch}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} was deleted; take it back from the correction menu.</source>
-      <translation>{unit} foi eliminado; recupere-o no menu de correção.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>Report written to {name}.</source>
       <translation>Relatório escrito em {name}.</translation>
     </message>
@@ -1882,31 +1732,6 @@
       <location filename="../plugin/review_dock.py" />
       <source>{count} units written to {name}.</source>
       <translation>{count} blocos escritos em {name}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Picked by hand</source>
-      <translation>Marcado à mão</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>taken back</source>
-      <translation>retirado</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Taken back: {kind} {unit}.</source>
-      <translation>Retirado: {kind} {unit}.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Check points ({unit})</source>
-      <translation>Pontos de verificação ({unit})</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
-      <translation>{feature}, {epoch}: marcado a {length} do ajustamento ({who})</translation>
     </message>
     <message>
       <location filename="../plugin/review_map.py" />
@@ -1932,6 +1757,126 @@
       <location filename="../plugin/review_map.py" />
       <source>Displacement review: {name}</source>
       <translation>Revisão de deslocamentos: {name}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
+      <translation>Abra o result.gpkg de um levantamento com duas épocas ou mais para rever os deslocamentos.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open result…</source>
+      <translation>Abrir resultado…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Epochs compared</source>
+      <translation>Épocas comparadas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reference of the displacements</source>
+      <translation>Referência dos deslocamentos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>All classes</source>
+      <translation>Todas as classes</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Classes shown</source>
+      <translation>Classes mostradas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
+      <translation>Menor deslocamento 3D mostrado; blocos perdidos, novos e arrastados são sempre mostrados</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Area of the units shown</source>
+      <translation>Área dos blocos mostrados</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Undecided only</source>
+      <translation>Só por decidir</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Unit…</source>
+      <translation>Bloco…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Comment, stored with the decision</source>
+      <translation>Comentário, guardado com a decisão</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reviewer</source>
+      <translation>Revisor</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Your name or initials, stored with every decision</source>
+      <translation>O seu nome ou iniciais, guardados com cada decisão</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>In the active layer's polygons</source>
+      <translation>Nos polígonos da camada ativa</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Accept</source>
+      <translation>Aceitar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The displacement is right (A)</source>
+      <translation>O deslocamento está certo (A)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reject</source>
+      <translation>Rejeitar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
+      <translation>O deslocamento está errado: sai das estatísticas, mapas e relatório (R)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Inspect</source>
+      <translation>Inspecionar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Inspect on site (I)</source>
+      <translation>Inspecionar no local (I)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Confirm</source>
+      <translation>Confirmar</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Confirm another reviewer's decision (C)</source>
+      <translation>Confirmar a decisão de outro revisor (C)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Undo</source>
+      <translation>Anular</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Take back your last decision (U)</source>
+      <translation>Retirar a sua última decisão (U)</translation>
     </message>
     <message>
       <location filename="../plugin/review_plots.py" />
@@ -1974,6 +1919,36 @@
       <translation>limite de deteção</translation>
     </message>
     <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Series</source>
+      <translation>Série</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Section along the displacement</source>
+      <translation>Secção ao longo do deslocamento</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
+      <translation>Direção da secção, a partir do norte da quadrícula; cada contorno é cortado pelo seu próprio centro</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Numbers</source>
+      <translation>Números</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>History</source>
+      <translation>Histórico</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>points not read yet</source>
+      <translation>pontos ainda não lidos</translation>
+    </message>
+    <message>
       <location filename="../plugin/review_text.py" />
       <source>stable</source>
       <translation>estável</translation>
@@ -1997,6 +1972,31 @@
       <location filename="../plugin/review_text.py" />
       <source>unseen</source>
       <translation>não visto</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>deleted</source>
+      <translation>eliminado</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>merged</source>
+      <translation>fundido</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>split</source>
+      <translation>dividido</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>new pose</source>
+      <translation>nova pose</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>placeholder</source>
+      <translation>marcador</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />

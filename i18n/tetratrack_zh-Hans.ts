@@ -1034,6 +1034,11 @@
       <translation>无法用 {python} 启动引擎:{reason}。</translation>
     </message>
     <message>
+      <location filename="../plugin/engine_task.py" />
+      <source>Cancelled.</source>
+      <translation>已取消。</translation>
+    </message>
+    <message>
       <location filename="../plugin/layers.py" />
       <source>found</source>
       <translation>已找到</translation>
@@ -1229,29 +1234,359 @@
       <translation>Tetratrack:四脚块体的位移</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>deleted</source>
-      <translation>已删除</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey description</source>
+      <translation>测量说明</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>merged</source>
-      <translation>已合并</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey (*.toml)</source>
+      <translation>测量 (*.toml)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>split</source>
-      <translation>已拆分</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fit again after a click on the unit (earlier epoch)</source>
+      <translation>单击块体后重新拟合(前一期)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>new pose</source>
-      <translation>新位姿</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fit again after a click on the unit (later epoch)</source>
+      <translation>单击块体后重新拟合(后一期)</translation>
     </message>
     <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>placeholder</source>
-      <translation>占位</translation>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pin by three joints of legs (earlier epoch)</source>
+      <translation>用三个腿部交汇点固定(前一期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pin by three joints of legs (later epoch)</source>
+      <translation>用三个腿部交汇点固定(后一期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pick feature points beside the fit (earlier epoch)</source>
+      <translation>在拟合旁点选特征点(前一期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Pick feature points beside the fit (later epoch)</source>
+      <translation>在拟合旁点选特征点(后一期)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Placeholder for a unit not found</source>
+      <translation>未找到块体的占位</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Merge the two selected units</source>
+      <translation>合并选中的两个块体</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Split at the later epoch: two units taken for one</source>
+      <translation>在后一期拆分:两个块体被当成一个</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Delete: not a unit</source>
+      <translation>删除:不是块体</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Take back the last correction</source>
+      <translation>撤回最后一次修正</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Read the points around the units…</source>
+      <translation>读取块体周围的点…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The points around the units are needed: read them from the correction menu.</source>
+      <translation>需要块体周围的点:请从修正菜单读取。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>There are no points here; click on the cloud.</source>
+      <translation>此处没有点;请单击点云。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The unit has no pose in any epoch to take its size from.</source>
+      <translation>该块体在任何一期都没有位姿,无法得知其大小。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>pinned by three joints</source>
+      <translation>用三个交汇点固定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
+      <translation>本期未找到该块体:请改用三个交汇点固定。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Select the two units to merge.</source>
+      <translation>请选择要合并的两个块体。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>There is no correction to take back.</source>
+      <translation>没有可撤回的修正。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Reading points around units</source>
+      <translation>正在读取块体周围的点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Points read.</source>
+      <translation>点已读取。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Select a unit first.</source>
+      <translation>请先选择一个块体。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
+      <translation>在地图或视图中单击块体中部;Escape 结束。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
+      <translation>在地图或视图中单击三条腿相交的三个交汇点;Escape 结束。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click a joint where three legs meet; Escape ends.</source>
+      <translation>单击三条腿相交的一个交汇点;Escape 结束。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Click where the unit lies on the map; Escape ends.</source>
+      <translation>在地图上单击块体所在位置;Escape 结束。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Fitting {unit} again</source>
+      <translation>正在重新拟合 {unit}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} was fitted again.</source>
+      <translation>{unit} 已重新拟合。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} pinned; the picks fit within {length}.</source>
+      <translation>{unit} 已固定;点选在 {length} 以内相符。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{feature} picked, {length} from the fit.</source>
+      <translation>已点选 {feature},距拟合 {length}。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Placeholder {name} stored; it counts as a unit not found.</source>
+      <translation>占位 {name} 已保存;计为未找到的块体。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{count} of 3 joints.</source>
+      <translation>3 个交汇点中的 {count} 个。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{other} is now {keep}.</source>
+      <translation>{other} 现为 {keep}。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} is called {name} from {epoch} on.</source>
+      <translation>{unit} 自 {epoch} 起称为 {name}。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>{unit} was deleted; take it back from the correction menu.</source>
+      <translation>{unit} 已删除;可从修正菜单撤回。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Taken back: {kind} {unit}.</source>
+      <translation>已撤回:{kind} {unit}。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Check point</source>
+      <translation>检查点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Feature</source>
+      <translation>特征点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Surveyed</source>
+      <translation>实测</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Fitted</source>
+      <translation>拟合</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Difference</source>
+      <translation>差值</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>3D displacement</source>
+      <translation>三维位移</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>in heights H, in Dn</source>
+      <translation>以高度 H、Dn 表示</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Easting</source>
+      <translation>东</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Northing</source>
+      <translation>北</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Height</source>
+      <translation>高程</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Horizontal</source>
+      <translation>水平</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>significant</source>
+      <translation>显著</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>not significant</source>
+      <translation>不显著</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Detection limit</source>
+      <translation>探测限</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Seen</source>
+      <translation>可见</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Score</source>
+      <translation>得分</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Legs seen</source>
+      <translation>可见的腿</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{shown} of {all} units shown</source>
+      <translation>显示 {all} 个块体中的 {shown} 个</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} significant</source>
+      <translation>{count} 个显著</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} decided</source>
+      <translation>{count} 个已决定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} rejected, excluded from statistics and map</source>
+      <translation>{count} 个被否决,不计入统计和地图</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Displacement</source>
+      <translation>位移</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>none: one of the two positions is not known</source>
+      <translation>无:两个位置之一未知</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Rotation</source>
+      <translation>转动</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Test against no motion</source>
+      <translation>对无运动的检验</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Check points ({unit})</source>
+      <translation>检查点({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Nobody has decided on this unit yet.</source>
+      <translation>尚无人对该块体作出决定。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} lost</source>
+      <translation>{count} 个消失</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{count} new</source>
+      <translation>{count} 个新增</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>largest {length}</source>
+      <translation>最大 {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>taken back</source>
+      <translation>已撤回</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Picked by hand</source>
+      <translation>手工点选</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
+      <translation>{feature},{epoch}:点选距拟合 {length}({who})</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1267,16 +1602,6 @@
       <location filename="../plugin/review_dock.py" />
       <source>GeoPackage (*.gpkg)</source>
       <translation>GeoPackage (*.gpkg)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
-      <translation>打开两期或以上测量的 result.gpkg 以审核其位移。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Open result…</source>
-      <translation>打开结果…</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1320,126 +1645,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Epochs compared</source>
-      <translation>比较的期次</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reference of the displacements</source>
-      <translation>位移的基准</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>All classes</source>
-      <translation>所有类别</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Classes shown</source>
-      <translation>显示的类别</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
-      <translation>显示的最小三维位移;消失、新增和移位的块体始终显示</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Area of the units shown</source>
-      <translation>显示块体的区域</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Everywhere</source>
-      <translation>全部</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Undecided only</source>
-      <translation>仅未决定</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Unit…</source>
-      <translation>块体…</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Section along the displacement</source>
-      <translation>沿位移的剖面</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
-      <translation>剖面方向,自坐标北起;每个轮廓在各自中心处剖切</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Series</source>
-      <translation>序列</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Numbers</source>
-      <translation>数值</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>History</source>
-      <translation>历史</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Comment, stored with the decision</source>
-      <translation>与决定一起保存的备注</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reviewer</source>
-      <translation>审核人</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Your name or initials, stored with every decision</source>
-      <translation>您的姓名或缩写,与每个决定一起保存</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Check point</source>
-      <translation>检查点</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Feature</source>
-      <translation>特征点</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Surveyed</source>
-      <translation>实测</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fitted</source>
-      <translation>拟合</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Difference</source>
-      <translation>差值</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Survey description</source>
-      <translation>测量说明</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Survey (*.toml)</source>
-      <translation>测量 (*.toml)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>PDF (*.pdf);;Web page (*.html)</source>
       <translation>PDF (*.pdf);;网页 (*.html)</translation>
     </message>
@@ -1460,163 +1665,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Cancelled.</source>
-      <translation>已取消。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fit again after a click on the unit (earlier epoch)</source>
-      <translation>单击块体后重新拟合(前一期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fit again after a click on the unit (later epoch)</source>
-      <translation>单击块体后重新拟合(后一期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pin by three joints of legs (earlier epoch)</source>
-      <translation>用三个腿部交汇点固定(前一期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pin by three joints of legs (later epoch)</source>
-      <translation>用三个腿部交汇点固定(后一期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pick feature points beside the fit (earlier epoch)</source>
-      <translation>在拟合旁点选特征点(前一期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Pick feature points beside the fit (later epoch)</source>
-      <translation>在拟合旁点选特征点(后一期)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Placeholder for a unit not found</source>
-      <translation>未找到块体的占位</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Merge the two selected units</source>
-      <translation>合并选中的两个块体</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Split at the later epoch: two units taken for one</source>
-      <translation>在后一期拆分:两个块体被当成一个</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Delete: not a unit</source>
-      <translation>删除:不是块体</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Take back the last correction</source>
-      <translation>撤回最后一次修正</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Read the points around the units…</source>
-      <translation>读取块体周围的点…</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Accept</source>
-      <translation>接受</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The displacement is right (A)</source>
-      <translation>位移正确(A)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reject</source>
-      <translation>否决</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
-      <translation>位移错误:不计入统计、地图和报告(R)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Inspect</source>
-      <translation>检查</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Inspect on site (I)</source>
-      <translation>现场检查(I)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Confirm</source>
-      <translation>确认</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Confirm another reviewer's decision (C)</source>
-      <translation>确认另一审核人的决定(C)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Undo</source>
-      <translation>撤销</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Take back your last decision (U)</source>
-      <translation>撤回您的最后一个决定(U)</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>3D displacement</source>
-      <translation>三维位移</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>in heights H, in Dn</source>
-      <translation>以高度 H、Dn 表示</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Horizontal</source>
-      <translation>水平</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Detection limit</source>
-      <translation>探测限</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Displacement</source>
-      <translation>位移</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>none: one of the two positions is not known</source>
-      <translation>无:两个位置之一未知</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Seen</source>
-      <translation>可见</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Score</source>
-      <translation>得分</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Legs seen</source>
-      <translation>可见的腿</translation>
+      <source>Decisions of another reviewer were taken in.</source>
+      <translation>已采纳另一审核人的决定。</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1635,118 +1685,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Decisions of another reviewer were taken in.</source>
-      <translation>已采纳另一审核人的决定。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Select a unit first.</source>
-      <translation>请先选择一个块体。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The points around the units are needed: read them from the correction menu.</source>
-      <translation>需要块体周围的点:请从修正菜单读取。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The unit has no pose in any epoch to take its size from.</source>
-      <translation>该块体在任何一期都没有位姿,无法得知其大小。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>pinned by three joints</source>
-      <translation>用三个交汇点固定</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>The unit was not found in this epoch: pin it by three joints instead.</source>
-      <translation>本期未找到该块体:请改用三个交汇点固定。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Select the two units to merge.</source>
-      <translation>请选择要合并的两个块体。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>There is no correction to take back.</source>
-      <translation>没有可撤回的修正。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Reading points around units</source>
-      <translation>正在读取块体周围的点</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Points read.</source>
-      <translation>点已读取。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>Writing the report</source>
       <translation>正在编写报告</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{shown} of {all} units shown</source>
-      <translation>显示 {all} 个块体中的 {shown} 个</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} significant</source>
-      <translation>{count} 个显著</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} decided</source>
-      <translation>{count} 个已决定</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} rejected, excluded from statistics and map</source>
-      <translation>{count} 个被否决,不计入统计和地图</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>points not read yet</source>
-      <translation>点尚未读取</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Easting</source>
-      <translation>东</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Northing</source>
-      <translation>北</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Height</source>
-      <translation>高程</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Rotation</source>
-      <translation>转动</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>significant</source>
-      <translation>显著</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>not significant</source>
-      <translation>不显著</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Test against no motion</source>
-      <translation>对无运动的检验</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1760,53 +1700,8 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>Click the middle of the unit on the map or in a view; Escape ends.</source>
-      <translation>在地图或视图中单击块体中部;Escape 结束。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
-      <translation>在地图或视图中单击三条腿相交的三个交汇点;Escape 结束。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click a joint where three legs meet; Escape ends.</source>
-      <translation>单击三条腿相交的一个交汇点;Escape 结束。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Click where the unit lies on the map; Escape ends.</source>
-      <translation>在地图上单击块体所在位置;Escape 结束。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>There are no points here; click on the cloud.</source>
-      <translation>此处没有点;请单击点云。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Fitting {unit} again</source>
-      <translation>正在重新拟合 {unit}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} was fitted again.</source>
-      <translation>{unit} 已重新拟合。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} pinned; the picks fit within {length}.</source>
-      <translation>{unit} 已固定;点选在 {length} 以内相符。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{feature} picked, {length} from the fit.</source>
-      <translation>已点选 {feature},距拟合 {length}。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Placeholder {name} stored; it counts as a unit not found.</source>
-      <translation>占位 {name} 已保存;计为未找到的块体。</translation>
+      <source>Everywhere</source>
+      <translation>全部</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1820,31 +1715,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>In the active layer's polygons</source>
-      <translation>在活动图层的多边形内</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} lost</source>
-      <translation>{count} 个消失</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{count} new</source>
-      <translation>{count} 个新增</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>largest {length}</source>
-      <translation>最大 {length}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Nobody has decided on this unit yet.</source>
-      <translation>尚无人对该块体作出决定。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>{units}: {decision}, stored.</source>
       <translation>{units}:{decision},已保存。</translation>
     </message>
@@ -1855,26 +1725,6 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>{count} of 3 joints.</source>
-      <translation>3 个交汇点中的 {count} 个。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{other} is now {keep}.</source>
-      <translation>{other} 现为 {keep}。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} is called {name} from {epoch} on.</source>
-      <translation>{unit} 自 {epoch} 起称为 {name}。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{unit} was deleted; take it back from the correction menu.</source>
-      <translation>{unit} 已删除;可从修正菜单撤回。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
       <source>Report written to {name}.</source>
       <translation>报告已写入 {name}。</translation>
     </message>
@@ -1882,31 +1732,6 @@
       <location filename="../plugin/review_dock.py" />
       <source>{count} units written to {name}.</source>
       <translation>{count} 个块体已写入 {name}。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Picked by hand</source>
-      <translation>手工点选</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>taken back</source>
-      <translation>已撤回</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Taken back: {kind} {unit}.</source>
-      <translation>已撤回:{kind} {unit}。</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Check points ({unit})</source>
-      <translation>检查点({unit})</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
-      <translation>{feature},{epoch}:点选距拟合 {length}({who})</translation>
     </message>
     <message>
       <location filename="../plugin/review_map.py" />
@@ -1932,6 +1757,126 @@
       <location filename="../plugin/review_map.py" />
       <source>Displacement review: {name}</source>
       <translation>位移审核:{name}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
+      <translation>打开两期或以上测量的 result.gpkg 以审核其位移。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open result…</source>
+      <translation>打开结果…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Epochs compared</source>
+      <translation>比较的期次</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reference of the displacements</source>
+      <translation>位移的基准</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>All classes</source>
+      <translation>所有类别</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Classes shown</source>
+      <translation>显示的类别</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Least 3D displacement shown; lost, new and relocated units are always shown</source>
+      <translation>显示的最小三维位移;消失、新增和移位的块体始终显示</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Area of the units shown</source>
+      <translation>显示块体的区域</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Undecided only</source>
+      <translation>仅未决定</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Unit…</source>
+      <translation>块体…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Comment, stored with the decision</source>
+      <translation>与决定一起保存的备注</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reviewer</source>
+      <translation>审核人</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Your name or initials, stored with every decision</source>
+      <translation>您的姓名或缩写,与每个决定一起保存</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>In the active layer's polygons</source>
+      <translation>在活动图层的多边形内</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Accept</source>
+      <translation>接受</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The displacement is right (A)</source>
+      <translation>位移正确(A)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Reject</source>
+      <translation>否决</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The displacement is wrong: it leaves statistics, maps and report (R)</source>
+      <translation>位移错误:不计入统计、地图和报告(R)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Inspect</source>
+      <translation>检查</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Inspect on site (I)</source>
+      <translation>现场检查(I)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Confirm</source>
+      <translation>确认</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Confirm another reviewer's decision (C)</source>
+      <translation>确认另一审核人的决定(C)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Undo</source>
+      <translation>撤销</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Take back your last decision (U)</source>
+      <translation>撤回您的最后一个决定(U)</translation>
     </message>
     <message>
       <location filename="../plugin/review_plots.py" />
@@ -1974,6 +1919,36 @@
       <translation>探测限</translation>
     </message>
     <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Series</source>
+      <translation>序列</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Section along the displacement</source>
+      <translation>沿位移的剖面</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Direction of the section, from grid north; each outline is cut through its own centre</source>
+      <translation>剖面方向,自坐标北起;每个轮廓在各自中心处剖切</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Numbers</source>
+      <translation>数值</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>History</source>
+      <translation>历史</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>points not read yet</source>
+      <translation>点尚未读取</translation>
+    </message>
+    <message>
       <location filename="../plugin/review_text.py" />
       <source>stable</source>
       <translation>稳定</translation>
@@ -1997,6 +1972,31 @@
       <location filename="../plugin/review_text.py" />
       <source>unseen</source>
       <translation>不可见</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>deleted</source>
+      <translation>已删除</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>merged</source>
+      <translation>已合并</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>split</source>
+      <translation>已拆分</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>new pose</source>
+      <translation>新位姿</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>placeholder</source>
+      <translation>占位</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
