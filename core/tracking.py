@@ -417,10 +417,14 @@ def _compare(
     turn = np.array(turns).reshape(-1, 3)
     turn_cov = np.array(turn_covs).reshape(-1, 3, 3)
     turn_null = calibrate(turn[judged] - congruence.motion[3:6], turn_cov[judged], 1.0)
+    placement = epochs[second].placement
+    frame = None if placement is None else placement.covariance
     supports = dict(zip(judged.tolist(), congruence.stable.tolist(), strict=True))
     motions = [
         {
-            datum: unit_motion(befores[i], afters[i], turn[i], joints[i], turn_cov[i], congruence, turn_null, datum, supports.get(i, False))
+            datum: unit_motion(
+                befores[i], afters[i], turn[i], joints[i], turn_cov[i], congruence, turn_null, datum, supports.get(i, False), frame
+            )
             for datum in DATUMS
         }
         for i in range(len(members))
