@@ -19,6 +19,7 @@ from scipy.spatial.transform import Rotation
 from scipy.special import fdtrc
 
 from .congruence import Congruence, NullModel, f_p_value
+from .control import rigid_jacobian
 from .feature_points import FEATURES, FeaturePoints
 from .planning import noncentrality
 from .pose import Pose
@@ -114,6 +115,7 @@ def unit_motion(
     turn_null: NullModel,
     datum: str,
     supports_datum: bool,
+    frame: FloatArray | None = None,
 ) -> UnitMotion:
     """Motion of a unit with its tests.
 
@@ -131,6 +133,9 @@ def unit_motion(
         ``stable`` or ``control``.
     supports_datum
         Whether the unit itself belongs to the stable set; its displacement is then correlated with the datum.
+    frame
+        (7, 7) covariance of the later epoch's registration; None without. Its turn and scale change a displacement by its length, and
+        count where a unit was carried by metres.
     """
     points = before.positions
     own = congruence.null.covariance(relative_covariance(before, after, joint))
@@ -140,6 +145,9 @@ def unit_motion(
     if datum == "stable":
         vectors = vectors - congruence.common_part(points)
         angle = angle - congruence.motion[3:6]
+    if frame is not None:
+        turned = rigid_jacobian(vectors)[:, :, 3:]
+        own = own + turned @ frame[3:, 3:] @ np.swapaxes(turned, 1, 2)
     # of a unit that helped to define the datum the residual varies less, by the same amount
     tested = own - common if datum == "stable" and supports_datum else own + common
     statistics = np.einsum("ni,ni->n", vectors, np.linalg.solve(tested, vectors[:, :, None])[:, :, 0])

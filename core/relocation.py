@@ -39,15 +39,15 @@ class Followed:
     seen: dict[int, FittedUnit]
     states: dict[int, str]
 
-    def until(self, epoch: int) -> Followed:
-        """What happened before an epoch; in it another unit fills the place."""
-        return self._part(lambda e: e < epoch, {epoch: "empty"})
+    def until(self, epoch: int, epochs: int) -> Followed:
+        """What happened before an epoch; from it on, to the last of all ``epochs``, another unit fills the place."""
+        return self._part(lambda e: e < epoch, range(epoch, epochs))
 
     def since(self, epoch: int) -> Followed:
         """What happened from an epoch on; before it another unit filled the place."""
-        return self._part(lambda e: e >= epoch, {epoch - 1: "empty"})
+        return self._part(lambda e: e >= epoch, range(epoch))
 
-    def _part(self, within: Callable[[int], bool], states: dict[int, str]) -> Followed:
+    def _part(self, within: Callable[[int], bool], others: range) -> Followed:
         t = self.track
         track = Track(
             {e: r for e, r in t.rows.items() if within(e)},
@@ -56,9 +56,8 @@ class Followed:
             t.kind,
             frozenset(e for e in t.relocated if within(e)),
         )
-        return Followed(
-            track, {e: s for e, s in self.seen.items() if within(e)}, states | {e: s for e, s in self.states.items() if within(e)}
-        )
+        states = dict.fromkeys(others, "empty") | {e: s for e, s in self.states.items() if within(e)}
+        return Followed(track, {e: s for e, s in self.seen.items() if within(e)}, states)
 
     def carried_to(self, arrived: Followed, epoch: int, symmetry: FloatArray) -> Followed:
         """The unit and, from an epoch on, what it was found to be elsewhere, with the leg numbers of the first place."""
@@ -73,17 +72,18 @@ class Followed:
         states = {e: s for e, s in self.states.items() if e < epoch} | {e: s for e, s in arrived.states.items() if e > epoch}
         return Followed(track, self.seen | {e: s.relabelled(symmetry) for e, s in arrived.seen.items()}, states)
 
-    def moved_far(self, epoch: int) -> bool:
-        """Whether it moved by a good part of its height into this epoch."""
+    def moved_far(self, epoch: int, shifts: FloatArray) -> bool:
+        """Whether it moved by a good part of its height into this epoch, beyond the (e, 3) ``shifts`` of whole clouds."""
         before = [e for e in self.seen if e < epoch]
         if epoch not in self.seen or not before:
             return False
         last, now = self.seen[max(before)], self.seen[epoch]
-        return float(np.linalg.norm(now.pose.centre - last.pose.centre)) > DOUBTFUL_MOVE_HEIGHTS * now.shape.height
+        motion = now.pose.centre - last.pose.centre - (shifts[epoch] - shifts[max(before)])
+        return float(np.linalg.norm(motion)) > DOUBTFUL_MOVE_HEIGHTS * now.shape.height
 
 
 def join_relocated(
-    tracks: list[Track], seen: list[dict[int, FittedUnit]], states: list[dict[int, str]], epochs: int
+    tracks: list[Track], seen: list[dict[int, FittedUnit]], states: list[dict[int, str]], shifts: FloatArray
 ) -> tuple[list[Track], list[dict[int, FittedUnit]], list[dict[int, str]]]:
     """Join a unit that left its place with one that appeared elsewhere, where the relief of their surfaces proves them to be one.
 
@@ -95,8 +95,8 @@ def join_relocated(
     ----------
     tracks, seen, states
         By unit: its track, its sightings by epoch, and by epoch the state of its place where it is not seen.
-    epochs
-        Number of epochs.
+    shifts
+        (e, 3) common shift of the cloud of every epoch, metres.
 
     Returns
     -------
@@ -104,13 +104,13 @@ def join_relocated(
         Of the units that are left.
     """
     followed = {k: Followed(*parts) for k, parts in enumerate(zip(tracks, seen, states, strict=True)) if parts[1]}
-    for epoch in range(1, epochs):
+    for epoch in range(1, len(shifts)):
         parted: dict[int, tuple[int, Followed]] = {}
         for k, whole in list(followed.items()):
-            if whole.moved_far(epoch):
+            if whole.moved_far(epoch, shifts):
                 later = max(followed) + 1
                 parted[k] = later, whole
-                followed[k], followed[later] = whole.until(epoch), whole.since(epoch)
+                followed[k], followed[later] = whole.until(epoch, len(shifts)), whole.since(epoch)
         pairs = _recognised(
             {k: f.seen[max(f.seen)] for k, f in followed.items() if max(f.seen) < epoch},
             {k: f.seen[epoch] for k, f in followed.items() if min(f.seen) == epoch},
@@ -120,7 +120,7 @@ def join_relocated(
                 followed[old] = followed[old].carried_to(followed.pop(new), epoch, symmetry)
         elsewhere = {old for old, new, _ in pairs if old not in parted or parted[old][0] != new}
         for k, (later, whole) in parted.items():
-            if k not in elsewhere and later in followed and later not in elsewhere:
+            if k not in elsewhere and later in followed:
                 followed[k] = whole
                 del followed[later]
     return [f.track for f in followed.values()], [f.seen for f in followed.values()], [f.states for f in followed.values()]
@@ -137,7 +137,7 @@ def _recognised(left: dict[int, FittedUnit], came: dict[int, FittedUnit]) -> lis
         for new in arrived:
             relief = _relief_of(came[new])
             for old in reliefs:
-                if left[old].kind == came[new].kind:
+                if left[old].kind == came[new].kind and reliefs[old].tells and relief.tells:
                     match = likeness(reliefs[old], relief, left[old].shape)
                     if match.same_unit:
                         found.append((match.lead, old, new, match.symmetry))

@@ -19,12 +19,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from .gauss_helmert import TIP_RATIO
+from .kernels import kernel
 from .pose import Pose
 from .streamed_median import StreamedMedian
 from .unit_clouds import UnitCloud, by_home
@@ -42,6 +44,8 @@ HEIGHT_SPREAD = 0.003
 MAX_ITERATIONS = 8
 CONVERGED = 0.01
 """Largest last step of nine tenths of the units, over the noise of one point."""
+UNKNOWN_NOISE_RATIO = 0.005
+"""Noise over the height of a unit where no epoch holds enough points to estimate it."""
 GAUGE_WEIGHT = 1e4
 """Weight of the condition that the offsets of an epoch add up to zero, over the weight of one offset's pseudo-observation."""
 
@@ -94,7 +98,8 @@ class JointAdjustment:
     scales
         By unit: relative difference of its size from the given geometry.
     noise
-        (e,) standard deviation of a point along the surface normal by epoch, metres.
+        (e,) standard deviation of a point along the surface normal by epoch, metres; an epoch with too few points to tell counts as
+        noisy as the others.
     surface_sd
         Standard deviation of the surface deviations, metres.
     used
@@ -112,11 +117,15 @@ class JointAdjustment:
     used: IntArray
 
 
-@njit(cache=True)
-def _observe(  # type: ignore[no-untyped-def]
-    points, strip, offsets, centre, rotation, axes, across, shape, discs, margin, tip, rows, residual, patch
-):
-    """Distances, rows (de/dpose 6, de/dscale) and patch of every point of one sighting; patch -1 for points that are left out."""
+@kernel()
+def _observe(
+    points: Any, strip: Any, offsets: Any, centre: Any, rotation: Any, axes: Any, across: Any, shape: Any, discs: Any, margin: float,
+    tip: float, rows: Any, residual: Any, patch: Any,
+) -> None:  # fmt: skip
+    """Distances, rows (de/dpose 6, de/dscale) and patch of every point of one sighting; patch -1 for points that are left out.
+
+    Beyond ``tip`` along a leg, where tips are rounded, the cone counts only if the end disc holds it.
+    """
     r, c, length = shape[0], shape[1], shape[2]
     cosine = 1.0 / math.sqrt(1.0 + c * c)
     end_radius = r - c * length
@@ -150,7 +159,7 @@ def _observe(  # type: ignore[no-untyped-def]
         ux, uy, uz = ux / rho, uy / rho, uz / rho
         side = (rho - r + c * axial) * cosine
         end = axial - length
-        if end > -margin or axial > tip:
+        if end > -margin or (axial > tip and not discs[leg]):
             if not discs[leg] or rho > end_radius - margin or end < side:
                 continue
             nx, ny, nz = ax, ay, az
@@ -178,15 +187,15 @@ def _observe(  # type: ignore[no-untyped-def]
         rows[i, 6] = scale_row
 
 
-@njit(cache=True)
-def _accumulate(  # type: ignore[no-untyped-def]
-    rows, residual, patch, strip_local, body, sigma, tukey, normal, rhs, patch_rows, patch_weight, patch_rhs, n_pose
-):
-    """Add one sighting to its unit's normal equations; returns the number of points with weight and their squared sum."""
+@kernel()
+def _accumulate(
+    rows: Any, residual: Any, patch: Any, strip_local: Any, body: int, sigma: float, tukey: float, normal: Any, rhs: Any,
+    patch_rows: Any, patch_weight: Any, patch_rhs: Any, n_pose: int,
+) -> int:  # fmt: skip
+    """Add one sighting to its unit's normal equations; returns the number of points with weight."""
     index = np.zeros(10, dtype=np.int64)
     value = np.zeros(10)
     used = 0
-    square_sum = 0.0
     for i in range(rows.shape[0]):
         if patch[i] < 0:
             continue
@@ -195,7 +204,6 @@ def _accumulate(  # type: ignore[no-untyped-def]
             continue
         w = (1.0 - u * u) ** 2 / (sigma * sigma)
         used += 1
-        square_sum += w * residual[i] * residual[i]
         for m in range(6):
             index[m] = 6 * body + m
             value[m] = rows[i, m]
@@ -213,7 +221,7 @@ def _accumulate(  # type: ignore[no-untyped-def]
             patch_rows[k, index[a]] += wa
             for b in range(10):
                 normal[index[a], index[b]] += wa * value[b]
-    return used, square_sum
+    return used
 
 
 def adjust_jointly(
@@ -269,7 +277,7 @@ class _JointSolver:
             np.array([self.strips.setdefault((s.epoch, int(i)), len(self.strips)) for i in s.cloud.ids], dtype=np.int64)
             for s in self.sightings
         ]
-        self.offsets = np.zeros((max(len(self.strips), 1), 3))
+        self.offsets = np.zeros((len(self.strips), 3))
         self.strip_epoch = np.array([epoch for epoch, _ in self.strips], dtype=np.int64)
         self.order: dict[int, tuple[int, ...]] = {}
         for k, s in sorted(enumerate(self.sightings), key=lambda item: item[1].epoch):
@@ -277,7 +285,7 @@ class _JointSolver:
         self.reading = by_home((unit, tuple(self.sightings[k].cloud for k in own)) for unit, own in self.order.items())
         self.across = {shape: np.stack(across(shape)) for shape in {s.shape for s in self.sightings}}
         self.centres = [np.array(s.pose.centre) for s in self.sightings]
-        self.rotations = [np.ascontiguousarray(s.pose.rotation) for s in self.sightings]
+        self.rotations = [np.array(s.pose.rotation, order="C") for s in self.sightings]
         self.scales = dict.fromkeys(self.order, 0.0)
         self.noise = np.full(max(self.epochs, 1), math.nan)
         self.surface_sd = 0.0
@@ -302,12 +310,12 @@ class _JointSolver:
         _observe(
             np.ascontiguousarray(points, dtype=np.float64), strips, self.offsets, self.centres[number], self.rotations[number],
             np.ascontiguousarray(unit.leg_directions), self.across[unit], shape, np.asarray(s.discs, dtype=np.bool_), margin,
-            unit.leg_length * grown, found.rows, found.residuals, found.patches,
+            TIP_RATIO * unit.leg_length * grown, found.rows, found.residuals, found.patches,
         )  # fmt: skip
         return found
 
     def estimate_noise(self) -> None:
-        """Noise by epoch from residuals less their patch's median; spread of the patches beyond what noise explains."""
+        """Noise by epoch from residuals less their patch's mean; spread of the patches beyond what noise explains."""
         before = self.noise.copy()
         within = [StreamedMedian() for _ in range(self.epochs)]
         spread, share = StreamedMedian(), StreamedMedian()
@@ -325,6 +333,12 @@ class _JointSolver:
             noise = float(np.nanmedian(self.noise))
             robust = (1.4826 * spread.value) ** 2
             self.surface_sd = math.sqrt(max(robust - noise**2 * share.value, (0.05 * noise) ** 2))
+        height = max(s.shape.height for s in self.sightings)
+        known = self.noise[np.isfinite(self.noise)]
+        self.noise[np.isnan(self.noise)] = np.median(known) if len(known) else UNKNOWN_NOISE_RATIO * height
+        # points without noise have no weights, surfaces without deviations no prior
+        self.noise = np.maximum(self.noise, 1e-7 * height)
+        self.surface_sd = max(self.surface_sd, 0.05 * float(self.noise.min()))
 
     @staticmethod
     def _add_deviations(seen: _Observations, within: StreamedMedian, spread: StreamedMedian, share: StreamedMedian) -> None:
@@ -357,7 +371,7 @@ class _JointSolver:
         for body, (k, seen) in enumerate(zip(members, sightings, strict=True)):
             local = np.searchsorted(touched, seen.strips)
             sigma = float(math.hypot(self.noise[self.sightings[k].epoch], self.surface_sd))
-            self.used[k], _ = _accumulate(
+            self.used[k] = _accumulate(
                 seen.rows, seen.residuals, seen.patches, local, body, self.noise[self.sightings[k].epoch],
                 TUKEY_CONSTANT * sigma / self.noise[self.sightings[k].epoch], normal, rhs, patch_rows, patch_weight, patch_rhs, n_pose,
             )  # fmt: skip
@@ -404,7 +418,6 @@ class _JointSolver:
 
     def reduce(self, noise: FloatArray) -> tuple[dict[int, tuple[FloatArray, FloatArray, FloatArray, IntArray]], FloatArray, FloatArray]:
         """Eliminate the units, observed with the ``noise`` by epoch: their blocks, and normal matrix and right-hand side of the offsets."""
-        count = 3 * len(self.offsets)
         weights = self.offset_prior()
         prior = np.diag(weights)
         for epoch in range(self.epochs):
@@ -424,8 +437,6 @@ class _JointSolver:
             reduced[np.ix_(columns, columns)] += normal[own:, own:] - coupling.T @ inverse @ coupling
             reduced_rhs[columns] += rhs[own:] - coupling.T @ inverse @ rhs[:own]
             blocks[unit] = (inverse, coupling, rhs[:own], touched)
-        if reduced.shape != (count, count):
-            raise ValueError("offsets and normal equations disagree")
         return blocks, reduced, reduced_rhs
 
     def result(self, blocks: dict[int, tuple[FloatArray, FloatArray, FloatArray, IntArray]], cofactor: FloatArray) -> JointAdjustment:

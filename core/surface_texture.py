@@ -45,6 +45,11 @@ class Texture:
     points: FloatArray
     heights: FloatArray
 
+    @property
+    def tells(self) -> bool:
+        """Whether there are points enough to compare it with another."""
+        return len(self.points) >= MIN_PAIRS
+
 
 @dataclass(frozen=True, eq=False)
 class Likeness:

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 from scipy.stats import false_discovery_control, kstest
 from tetratrack.core.congruence import Congruence, congruence_of
 from tetratrack.core.control import rigid_jacobian
-from tetratrack.core.displacement import adjusted_p_values, classify, grade, grades_from, velocity
+from tetratrack.core.displacement import adjusted_p_values, classify, grade, grades_from, unit_motion, velocity
+from tetratrack.core.feature_points import feature_points
+from tetratrack.core.pose import Pose
 from tetratrack.core.unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
@@ -109,6 +114,25 @@ def test_no_units_and_one_unit() -> None:
     assert one.p_values[0] > 0.05
     far = congruence_of(np.full((1, 3), 0.2), np.eye(3)[None] * 1e-6, np.zeros((1, 3)), PRIOR, np.zeros(3), 2.3)
     assert far.p_values[0] < 0.01
+
+
+def test_a_unit_carried_by_metres_bears_the_turn_of_its_frame() -> None:
+    """Datum stable takes away what turns all units alike, at the places where they were: not the turn of the way of one of them."""
+    unit, way = UnitType.tetrapod(2.3), np.array([4.0, -2.0, -1.5])
+    here = Pose(np.array([1.0, 2.0, 3.0]), np.eye(3))
+    congruence, _, _ = judged(6, moved=0, factor=1.0, floor=0.0)
+    still = replace(congruence, motion=np.zeros(7), motion_covariance=np.zeros((7, 7)))
+    frame = np.diag([0.0] * 3 + [0.0008**2] * 3 + [0.0])
+    joint = np.eye(12) * 0.0003**2
+    squares = []
+    for turn in np.random.default_rng(7).normal(0, 0.0008, (400, 3)):
+        there = here.shifted(Rotation.from_rotvec(turn).apply(way))
+        features = [feature_points(pose, unit) for pose in (here, there)]
+        motion = unit_motion(*features, np.zeros(3), joint, np.eye(3), still, still.null, "stable", False, frame)
+        error = motion.vectors[0] - way
+        squares.append(error @ np.linalg.solve(motion.covariances[0], error))
+    assert np.mean(squares) < 3.3
+    assert np.mean(squares) > 1.5
 
 
 def test_adjusted_p_values_are_those_of_benjamini_and_hochberg() -> None:

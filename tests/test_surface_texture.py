@@ -10,8 +10,11 @@ import pytest
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT
+from tetratrack.core import relocation
 from tetratrack.core.fitted_unit import FittedUnit
+from tetratrack.core.identity import Track
 from tetratrack.core.pose import Pose
+from tetratrack.core.relocation import Followed
 from tetratrack.core.result_rows import covariance_fields, feature_rows
 from tetratrack.core.surface_texture import Likeness, likeness, texture
 from tetratrack.core.tetrapod import sample_surface
@@ -128,6 +131,27 @@ def test_what_is_not_recognised_stays_lost_and_new_with_the_candidates_named() -
     assert by_name[new, "1"]["status"] == "new"
     assert by_name[new, "1"]["may_be"] == lost
     assert by_name[names[castings[0]], "1"]["may_be"] is None
+
+
+def test_a_unit_whose_hole_was_filled_stays_lost_in_all_later_epochs() -> None:
+    seen = {0: sighting(1, PLACES[1], 1), 1: sighting(9, HOLE, 2), 2: sighting(9, HOLE, 3)}
+    whole = Followed(Track({0: 0, 1: 0, 2: 0}, {}, frozenset(), 0), seen, {})
+    assert whole.moved_far(1, np.zeros((3, 3)))
+    assert whole.until(1, 3).states == {1: "empty", 2: "empty"}
+    assert whole.since(2).states == {0: "empty", 1: "empty"}
+
+
+def test_a_shift_of_the_whole_cloud_compares_no_reliefs(monkeypatch: pytest.MonkeyPatch) -> None:
+    shift = np.array([0.9, -0.5, 0.1])
+    compared = []
+    monkeypatch.setattr(relocation, "likeness", lambda *args: compared.append(args))
+    first = tuple(sighting(k, pose, k) for k, pose in enumerate(PLACES))
+    second = tuple(sighting(k, pose.shifted(shift), 50 + k) for k, pose in enumerate(PLACES))
+    epochs = [TrackedEpoch(str(e), datetime(2020 + e, 1, 1, tzinfo=UTC), units, None) for e, units in enumerate((first, second))]
+    result = track(epochs, [UNIT])
+    assert result.shifts[1] - result.shifts[0] == pytest.approx(shift, abs=0.05)
+    assert [len(states) for states in result.units] == [2] * len(PLACES)
+    assert compared == []
 
 
 def test_nothing_is_joined_where_noise_drowns_the_relief() -> None:

@@ -180,6 +180,42 @@ def test_without_points_the_fits_alone_are_tracked() -> None:
     assert {s.status for states in result.units for s in states.values()} == {"found", "unseen"}
 
 
+@pytest.mark.parametrize("counts", [(600, 40), (40, 40), (12, 12)])
+def test_an_epoch_of_few_points_is_tracked_too(counts: tuple[int, int]) -> None:
+    """No patch of any surface holds enough points to tell the noise of the epoch."""
+    rng = np.random.default_rng(5)
+    poses = grid_poses(rng)[:4]
+    epochs = []
+    for number, count in enumerate(counts):
+        clouds = [seen_from_above(pose, rng, count, 0.01, np.zeros((1, 3))) for pose in poses]
+        units = tuple(
+            FittedUnit(p, UNIT, 0, True, ALL_DISCS, UnitCloud.held(c.points, c.sources + 1)) for p, c in zip(poses, clouds, strict=True)
+        )
+        epochs.append(TrackedEpoch(str(number), datetime(2020 + number, 1, 1, tzinfo=UTC), units, None))
+    result = track(epochs, [UNIT])
+    assert np.isfinite(result.joint.noise).all()
+    for states in result.units:
+        assert all(np.isfinite(state.covariance).all() for state in states.values())
+
+
+def test_what_comes_out_in_another_size_is_uncertain() -> None:
+    """The points of one unit are of a larger body: it was taken for what it is not."""
+    rng = np.random.default_rng(6)
+    poses = grid_poses(rng)
+    odd = 5
+    epochs = []
+    for number in range(2):
+        units = []
+        for k, pose in enumerate(poses):
+            cloud = seen_from_above(pose, rng, 900, 0.005, np.zeros((1, 3)))
+            points = cloud.points + 0.03 * (cloud.points - pose.centre) * (k == odd)
+            units.append(FittedUnit(pose, UNIT, 0, True, ALL_DISCS, UnitCloud.held(points, cloud.sources + 1)))
+        epochs.append(TrackedEpoch(str(number), datetime(2020 + number, 1, 1, tzinfo=UTC), tuple(units), None))
+    result = track(epochs, [UNIT])
+    statuses = [{state.status for state in states.values()} for states in result.units]
+    assert statuses == [{"uncertain"} if k == odd else {"found"} for k in range(len(poses))]
+
+
 def test_one_epoch() -> None:
     _, epochs, _, _ = tracked()
     result = track(epochs[:1], [UNIT])
