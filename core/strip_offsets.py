@@ -95,8 +95,8 @@ class JointAdjustment:
         (epoch, source) to (3,) offset in metres: a point less its offset is in the epoch's mean frame.
     offset_sds
         (epoch, source) to (3,) standard deviations.
-    scales
-        By unit: relative difference of its size from the given geometry.
+    scales, scale_sds
+        By unit: relative difference of its size from the given geometry, and its standard deviation.
     noise
         (e,) standard deviation of a point along the surface normal by epoch, metres; an epoch with too few points to tell counts as
         noisy as the others.
@@ -112,6 +112,7 @@ class JointAdjustment:
     offsets: dict[tuple[int, int], FloatArray]
     offset_sds: dict[tuple[int, int], FloatArray]
     scales: dict[int, float]
+    scale_sds: dict[int, float]
     noise: FloatArray
     surface_sd: float
     used: IntArray
@@ -391,7 +392,7 @@ class _JointSolver:
 
     def solve(self) -> JointAdjustment:
         if not self.sightings:
-            return JointAdjustment((), {}, {}, {}, {}, {}, self.noise, 0.0, self.used)
+            return JointAdjustment((), {}, {}, {}, {}, {}, {}, self.noise, 0.0, self.used)
         for iteration in range(MAX_ITERATIONS):
             before = self.noise.copy()
             if iteration < 4:
@@ -440,12 +441,12 @@ class _JointSolver:
         return blocks, reduced, reduced_rhs
 
     def result(self, blocks: dict[int, tuple[FloatArray, FloatArray, FloatArray, IntArray]], cofactor: FloatArray) -> JointAdjustment:
-        covariances = {}
+        covariances, scale_sds = {}, {}
         for unit, (inverse, coupling, _, touched) in blocks.items():
             columns = strip_columns(touched)
             lever = inverse @ coupling
             full = inverse + lever @ cofactor[np.ix_(columns, columns)] @ lever.T
-            covariances[unit] = full[:-1, :-1]
+            covariances[unit], scale_sds[unit] = full[:-1, :-1], math.sqrt(full[-1, -1])
         poses = []
         for centre, rotation in zip(self.centres, self.rotations):
             u, _, vt = np.linalg.svd(rotation)
@@ -458,6 +459,7 @@ class _JointSolver:
             {key: self.offsets[k] for key, k in self.strips.items()},
             {key: sds[k] for key, k in self.strips.items()},
             self.scales,
+            scale_sds,
             self.noise,
             self.surface_sd,
             self.used,

@@ -51,8 +51,7 @@ LOOK_UP_REACHES = 1.35
 SAME_POINT = 1e-4
 """Distance in metres below which a point of the cloud is the point of a unit."""
 ODD_SIZE = 4.5
-"""Deviation of a unit's size from that of the others, in standard deviations of the size, above which it is another thing that was
-fitted."""
+"""Deviation of a unit's size from that of the others, in standard deviations, above which something else was fitted."""
 RECOVERED_SCORE = 0.8
 """Probability below which one detection does not vouch for the unit in an epoch where it was not detected."""
 
@@ -320,7 +319,7 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
     epochs = 1 + max((epoch for _, epoch in numbers), default=-1)
     scales = dict.fromkeys(order, 0.0)
     used = np.array([seen[unit][epoch].n_points for unit, epoch in numbers], dtype=np.int64)
-    return JointAdjustment(poses, covariances, order, {}, {}, scales, np.full(epochs, math.nan), 0.0, used)
+    return JointAdjustment(poses, covariances, order, {}, {}, scales, scales, np.full(epochs, math.nan), 0.0, used)
 
 
 def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
@@ -337,12 +336,14 @@ def _odd_sizes(joint: JointAdjustment, kinds: IntArray) -> frozenset[int]:
 
     The points of a leg that are taken for more, or for another one, make the unit shrink or grow.
     """
-    scales = np.array([joint.scales[k] for k in range(len(kinds))])
+    scales, sds = (np.array([values[k] for k in range(len(kinds))]) for values in (joint.scales, joint.scale_sds))
+    # an estimate is drawn towards the nominal size by what the points leave open, and varies the less
+    told = np.maximum(1 - (sds / HEIGHT_SPREAD) ** 2, 0.04)
     odd: list[int] = []
     for kind in np.unique(kinds):
         own = np.flatnonzero(kinds == kind)
-        away = np.abs(scales[own] - np.median(scales[own]))
-        odd += own[away > ODD_SIZE * max(1.4826 * float(np.median(away)), HEIGHT_SPREAD)].tolist()
+        away = np.abs(scales[own] - told[own] * np.median(scales[own])) / (HEIGHT_SPREAD * np.sqrt(told[own]))
+        odd += own[away > ODD_SIZE * max(1.4826 * float(np.median(away)), 1.0)].tolist()
     return frozenset(odd)
 
 
