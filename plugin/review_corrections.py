@@ -113,8 +113,11 @@ class ReviewCorrections:
 
     def reload(self) -> None:
         """Take in what a correction or the engine changed in the file."""
+        selected = self.store.selected
         self.store.reload()
         self.map.reload()
+        # layers that are read anew have lost their selection, and the table followed them
+        self.store.select(selected)
 
     # picking
 

@@ -86,6 +86,7 @@ class ReviewDock(QgsDockWidget):
         self.corrections = ReviewCorrections(self.map, self.tabs, self.decisions, self.status, self.start_engine)
         self.corrections.fill_menu(self._correction_menu)
         self.comparison.show_store(store)
+        self.filters.clear()
         self._pages.setCurrentIndex(1)
         self._on_store("rows")
         self._others.start()

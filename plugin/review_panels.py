@@ -167,6 +167,14 @@ class FilterPanel(QWidget):
         self.undecided.toggled.connect(lambda checked: self.changed.emit({"undecided": checked}))
         self.text.textChanged.connect(lambda text: self.changed.emit({"text": text.strip()}))
 
+    def clear(self) -> None:
+        """Show all units again."""
+        self.kinds.deselectAllOptions()
+        self.threshold.setValue(0)
+        self.undecided.setChecked(False)
+        self.text.clear()
+        self.area_wanted.emit("everywhere")
+
     def _area_menu(self) -> QMenu:
         menu = QMenu(self.area)
         entries = (

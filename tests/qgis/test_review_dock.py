@@ -324,6 +324,27 @@ def test_click_fits_the_unit_again_with_the_engine(dock: ReviewDock, fake_engine
     assert arguments[-len(expected) - 1 : -1] == expected
 
 
+def test_a_correction_keeps_the_selection(dock: ReviewDock) -> None:
+    unit = shown(dock)[3]
+    dock.store.select([unit])
+    dock.corrections.reload()
+    QTest.qWait(50)
+    assert dock.store.selected == (unit,)
+    assert dock.table.currentIndex().row() == dock.store.place_of(unit)
+
+
+def test_another_file_is_shown_whole(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
+    dock.filters.threshold.setValue(5.0)
+    dock.filters.text.setText("0001")
+    dock.filters.undecided.setChecked(True)
+    dock.canvas.setExtent(dock.map.units.extent().buffered(-6))
+    dock.set_area("map")
+    assert dock.open(result[0])
+    assert len(shown(dock)) == len(dock.store.rows)
+    assert (dock.filters.threshold.value(), dock.filters.text.text(), dock.filters.undecided.isChecked()) == (0, "", False)
+    assert dock.filters.area.text() == "Everywhere"
+
+
 def test_opening_another_file_ends_picking(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
     before = QgsMapToolPan(dock.canvas)
     dock.canvas.setMapTool(before)
