@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from .block_jobs import ROUGHNESS_RATIO
 from .control import Transformation
-from .displacement_rows import EpochInfo, leg_length_of, read_epochs
+from .displacement_rows import EpochInfo, read_epochs, unit_of, unit_sizes
 from .errors import InputError
 from .gauss_helmert import AdjustmentOptions, adjust
 from .pose import Pose
@@ -24,7 +24,6 @@ from .tiles import checksum, read_points
 from .trajectory import noise_of, surface_covariances
 from .unit_edits import NewPose, set_pose
 from .unit_points import PointIndex, index_folder, write_index
-from .unit_types import UnitType
 from .workflow import Feedback, plan_survey
 
 FloatArray = NDArray[np.float64]
@@ -102,7 +101,15 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
         raise InputError(
             "has no pose in any epoch to take its size from", source=result, where=f"unit {unit_id}", remedy="Choose another unit."
         )
-    unit = UnitType.tetrapod(shape["height"], radius=shape["r0"], gradient=shape["gradient"], leg_length=leg_length_of(epochs))
+    unit = unit_of(shape, unit_sizes(epochs))
+    if unit.opening != "tetrahedral":
+        # corrections number legs and place joints as of a regular tetrahedron
+        raise InputError(
+            f"has the opening {unit.opening!r}, of which corrections know nothing",
+            source=result,
+            where=f"unit {unit_id}",
+            remedy="Run the survey again instead.",
+        )
     place = np.asarray(near, dtype=np.float64)
     index = PointIndex(index_folder(result))
     noise, reach = index.noise(epoch), REACH_HEIGHTS * unit.height

@@ -6,12 +6,25 @@ import multiprocessing
 import os
 import sqlite3
 from contextlib import closing
+from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from synthetic_result import GRADIENT, HEIGHT, LEG_LENGTH, LEGS, RADIUS, write_points, write_result
-from tetratrack.core.displacement_rows import check_comparisons, read_details, read_epochs, read_unit_rows, series
+from tetratrack.core.displacement_rows import (
+    EpochInfo,
+    check_comparisons,
+    read_details,
+    read_epochs,
+    read_unit_rows,
+    series,
+    shape_of,
+    size_of,
+    unit_of,
+    unit_sizes,
+)
 from tetratrack.core.errors import InputError, OutputError
 from tetratrack.core.outline import PlacedShape, end_discs, reach, rotation_of_quaternion, section, silhouette
 from tetratrack.core.pose import Pose
@@ -160,7 +173,7 @@ def test_area_is_even_odd(result: Path) -> None:
 def test_series_and_checks_follow_from_the_rows(result: Path) -> None:
     units = {row.unit_id: row for row in read_unit_rows(result, PAIR, "stable")}
     moved = next(row for row in units.values() if row.kind == "moved")
-    details = read_details(result, moved.unit_id, LEG_LENGTH)
+    details = read_details(result, moved.unit_id, unit_sizes(read_epochs(result)))
     line = series(details, read_epochs(result), "stable")
     assert [point.epoch for point in line] == ["2023-04-09", "2024-04-09", "2025-04-09"]
     assert line[1].d_3d == pytest.approx(moved.d_3d)
@@ -208,6 +221,28 @@ def test_outlines_lie_on_the_surface_of_the_solid() -> None:
     assert np.all(np.linalg.norm(flat, axis=1) <= bound + 0.02 * HEIGHT)
     for disc in end_discs(shape, right, up):
         assert np.linalg.norm(disc, axis=1).max() <= np.hypot(LEG_LENGTH, unit.end_radius) + 1e-9
+
+
+def test_every_type_of_unit_keeps_its_own_size() -> None:
+    def info(settings: dict[str, Any]) -> EpochInfo:
+        return EpochInfo("a", None, None, None, "", settings, {}, "")
+
+    def row(name: str, height: float) -> dict[str, Any]:
+        pose = {"geom": np.zeros(3), "qx": 0.0, "qy": 0.0, "qz": 0.0, "qw": 1.0}
+        return {"unit_type": name, "height": height, "r0": 0.26 * height, "gradient": 0.17} | pose
+
+    types = [UnitType.tetrapod(2.3, leg_length=1.5, name="tetrapod"), UnitType.tetrapod(1.6, leg_length=1.1, name="tetrapod")]
+    types += [UnitType.tetrapod(3.0, opening="paper", name="tetrapod 20 t")]
+    sizes = unit_sizes([info({}), info({"leg_length": 1.5, "unit": ["1", "2", "3"], "unit_types": [asdict(t) for t in types]})])
+    for kind in types:
+        shape, unit = shape_of(row(kind.name, kind.height), sizes), unit_of(row(kind.name, kind.height), sizes)
+        assert (shape.leg_length, unit.leg_length, unit.opening, unit.height) == (kind.leg_length,) * 2 + (kind.opening, kind.height)
+        np.testing.assert_allclose(shape.legs, kind.leg_directions, atol=1e-12)
+    # of a type that is not recorded, and in results of earlier versions with several types, the proportions are standard
+    earlier = unit_sizes([info({"leg_length": 1.5, "unit": ["1", "2"]})])
+    for known in (sizes, earlier):
+        assert size_of(row("tetrapod 8 t", 2.0), known).leg_length == pytest.approx(0.644 * 2.0)
+    assert size_of(row("tetrapod", 2.3), unit_sizes([info({"leg_length": 1.5, "unit": ["1"]})])).leg_length == 1.5
 
 
 def test_point_index_gives_exactly_the_points_of_a_cube(tmp_path: Path) -> None:

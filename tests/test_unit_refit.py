@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sqlite3
 from contextlib import closing
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import laspy
@@ -52,6 +53,27 @@ def test_refit_finds_the_unit_under_the_click_and_carries_its_displacement(tmp_p
     unit_row = next(r for r in read_layer_rows(path, "units") if r["unit_id"] == unit.unit_id and r["epoch"] == pair.epoch_to)
     assert 0.002 <= unit_row["sd_e"] < 0.02
     assert [(edit.kind, edit.editor) for edit in read_edits(path)] == [("pose", "A"), ("pose", "B")]
+
+
+def test_refit_takes_the_size_of_the_units_own_type(tmp_path: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    units = write_result(path, epochs=2, units=stable_units(3))
+    write_points(path, units, 2, per_unit=2000)
+    own = UnitType.tetrapod(HEIGHT, radius=RADIUS, gradient=GRADIENT, leg_length=LEG_LENGTH)
+    other = UnitType.tetrapod(2 * HEIGHT, name="tetrapod 64 t")
+
+    def record(*types: UnitType) -> None:
+        settings = json.dumps({"leg_length": types[0].leg_length, "unit_types": [asdict(kind) for kind in types]})
+        with closing(sqlite3.connect(path)) as connection, connection:
+            connection.execute("UPDATE epochs SET settings = ?", (settings,))
+
+    record(other, own)
+    refit_unit(path, units[1].unit_id, "2024-04-09", units[1].centres[1], editor="A")
+    shape = read_details(path, units[1].unit_id).shapes["2024-04-09"]
+    assert np.linalg.norm(shape.centre - units[1].centres[1]) < 0.005
+    record(other, replace(own, opening="paper"))
+    with pytest.raises(InputError, match="opening 'paper'"):
+        refit_unit(path, units[1].unit_id, "2024-04-09", units[1].centres[1], editor="A")
 
 
 def test_click_beside_every_unit_changes_nothing(tmp_path: Path) -> None:
