@@ -20,6 +20,7 @@ from .result_tables import EpochPair, Row, connect, parse_settings, parse_time, 
 from .schema import DATUMS
 
 if TYPE_CHECKING:
+    from .survey import Survey
     from .unit_types import Opening, UnitType
 
 FloatArray = NDArray[np.float64]
@@ -206,6 +207,21 @@ def read_epochs(path: Path) -> tuple[EpochInfo, ...]:
         for row in rows
     ]
     return tuple(sorted(infos, key=lambda info: (info.time is None, info.time.timestamp() if info.time else 0.0)))
+
+
+def epochs_of(survey: Survey, path: Path) -> dict[str, EpochInfo]:
+    """Epochs of a result by label, all of the survey's among them.
+
+    Raises
+    ------
+    InputError
+        Survey and result do not belong together.
+    """
+    infos = {info.label: info for info in read_epochs(path)}
+    missing = [epoch.label for epoch in survey.epochs if epoch.label not in infos]
+    if missing:
+        raise InputError(f"has no epoch {missing[0]}", source=path, remedy="Give the survey.toml this result was computed from.")
+    return infos
 
 
 def datums(path: Path, pair: EpochPair) -> tuple[str, ...]:

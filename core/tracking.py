@@ -17,7 +17,7 @@ from scipy.linalg import block_diag
 from scipy.spatial import cKDTree
 
 from .congruence import Congruence, NullModel, calibrate, calibrated, congruence_of
-from .control import Transformation
+from .control import Transformation, mean_offset_variance
 from .cross_check import CrossCheck, cross_check
 from .displacement import (
     SECONDS_PER_YEAR,
@@ -85,10 +85,7 @@ class TrackedEpoch:
     @property
     def placement(self) -> Transformation | None:
         """The registration with the mean offset of the strips, as a common shift, added to its covariance."""
-        if self.registration is None:
-            return None
-        offset = np.diag([self.offset_variance] * 3 + [0.0] * 4)
-        return replace(self.registration, covariance=self.registration.covariance + offset)
+        return None if self.registration is None else self.registration.with_offset(self.offset_variance)
 
 
 @dataclass(frozen=True, eq=False)
@@ -321,11 +318,7 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
 
 def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
     """The epoch with the variance of the mean offset of its strips."""
-    offsets = np.array([offset for (e, _), offset in joint.offsets.items() if e == number]).reshape(-1, 3)
-    if epoch.registration is None or len(offsets) < 2:
-        return epoch
-    variance = float(np.mean(np.sum(offsets**2, axis=0) / (len(offsets) - 1) / len(offsets)))
-    return replace(epoch, offset_variance=variance)
+    return replace(epoch, offset_variance=mean_offset_variance([offset for (e, _), offset in joint.offsets.items() if e == number]))
 
 
 def _states_of(

@@ -52,10 +52,7 @@ def pose_covariance(tracking: Tracking, epoch: int, state: TrackedUnit) -> Float
     covariance[:6, :6] = own_covariance(tracking.pairs, epoch, state)
     registration = tracking.registrations[epoch]
     if registration is not None:
-        effect = np.zeros((8, 7))
-        effect[:3] = registration.jacobian(state.pose.centre[None])[0]
-        effect[3:6, 3:6] = np.eye(3)
-        covariance += effect @ registration.covariance @ effect.T
+        covariance[:6, :6] += registration.pose_covariance(state.pose)
     return covariance
 
 
@@ -170,6 +167,8 @@ def pair_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], origin: FloatA
                 "common_p_value": test.common_p_value,
                 "covariance_factor": test.null.factor,
                 "covariance_floor": test.null.floor,
+                "rotation_factor": pair.turn_null.factor,
+                "rotation_floor_deg": math.degrees(pair.turn_null.floor),
                 "tail_degrees": test.null.tail,
                 "geometry": np.asarray(test.origin) + origin,
             }
