@@ -13,6 +13,7 @@ datum after Pelzer (1971) and Niemeier (1985): global test of all units, then un
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -53,6 +54,25 @@ class NullModel:
     def p_value(self, statistics: FloatArray) -> FloatArray:
         """Of quadratic forms of three components."""
         return f_p_value(statistics, self.tail)
+
+
+def calibrated(covariance: FloatArray, nulls: Sequence[tuple[NullModel, NullModel]]) -> FloatArray:
+    """(6, 6) covariance of a pose from that of its adjustment, as the stable units calibrate it.
+
+    Parameters
+    ----------
+    covariance
+        (6, 6) of e, n, h and the rotation vector, as adjusted.
+    nulls
+        Calibration of positions and of rotations in every epoch pair that the pose's epoch belongs to; their medians are taken. Without
+        any the covariance stays as it is.
+    """
+    if not nulls:
+        return covariance.copy()
+    factors = np.repeat([np.median([null.factor for null in kind]) for kind in zip(*nulls, strict=True)], 3)
+    floors = np.repeat([np.median([null.floor for null in kind]) for kind in zip(*nulls, strict=True)], 3)
+    # the floor of a difference belongs half to each of its epochs
+    return np.asarray(covariance * np.outer(factors, factors) + np.diag(0.5 * floors**2))
 
 
 def f_p_value(statistics: FloatArray, tail: float) -> FloatArray:

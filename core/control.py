@@ -124,6 +124,17 @@ class Transformation:
         carry[:3] = self.jacobian(origin)[0]
         return np.asarray(carry @ self.covariance @ carry.T)
 
+    def pose_covariance(self, pose: Pose) -> FloatArray:
+        """(6, 6) covariance of e, n, h and rotation vector that the registration brings into a pose of the control frame."""
+        effect = np.zeros((6, 7))
+        effect[:3] = self.jacobian(pose.centre)[0]
+        effect[3:, 3:6] = np.eye(3)
+        return np.asarray(effect @ self.covariance @ effect.T)
+
+    def with_offset(self, variance: float) -> Transformation:
+        """The same with the variance of a common offset along each axis (square metres) added to its covariance."""
+        return replace(self, covariance=self.covariance + np.diag([variance] * 3 + [0.0] * 4))
+
     def with_shift(self, shift: ArrayLike, turn: ArrayLike, covariance: FloatArray) -> Transformation:
         """The transformation followed by a small motion (shift in m, rotation vector in rad, about ``origin_to``)."""
         matrix = Rotation.from_rotvec(np.asarray(turn, dtype=np.float64)).as_matrix()
@@ -132,7 +143,7 @@ class Transformation:
 
     @classmethod
     def from_record(cls, record: Mapping[str, Any]) -> Transformation:
-        """Inverse of :meth:`as_record`."""
+        """Inverse of :meth:`as_record`; see :func:`transformation_of` for records that may be incomplete."""
         return cls(
             np.array(record["origin_from"], dtype=np.float64),
             np.array(record["origin_to"], dtype=np.float64),
@@ -153,6 +164,30 @@ class Transformation:
             "scale": self.scale,
             "covariance": self.covariance.tolist(),
         }
+
+
+def transformation_of(record: Mapping[str, Any]) -> Transformation | None:
+    """Transformation from the record in layer ``epochs``; None where the cloud's own frame was kept.
+
+    Raises
+    ------
+    InputError
+        The record is incomplete.
+    """
+    if not record:
+        return None
+    try:
+        return Transformation.from_record(record)
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(f"layer epochs holds a transformation without {error}", remedy="Run tetratrack again.") from error
+
+
+def mean_offset_variance(offsets: ArrayLike) -> float:
+    """Variance per axis (square metres) of the mean of (k, 3) offsets of strips or stations; 0 for less than two."""
+    own = np.asarray(offsets, dtype=np.float64).reshape(-1, 3)
+    if len(own) < 2:
+        return 0.0
+    return float(np.mean(np.sum(own**2, axis=0) / (len(own) - 1) / len(own)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,15 +9,19 @@ from dataclasses import dataclass
 from datetime import datetime
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .errors import InputError
-from .outline import LEG_LENGTH_RATIO, TETRAHEDRAL_LEGS, PlacedShape, rotation_of_quaternion
+from .outline import LEG_LENGTH_RATIO, LEGS, PlacedShape, rotation_of_quaternion
 from .result_tables import EpochPair, Row, connect, parse_settings, parse_time, query, read_layer_rows, table_names
 from .schema import DATUMS
+
+if TYPE_CHECKING:
+    from .survey import Survey
+    from .unit_types import Opening, UnitType
 
 FloatArray = NDArray[np.float64]
 
@@ -145,6 +149,26 @@ class UnitDetails:
 
 
 @dataclass(frozen=True)
+class UnitSize:
+    """What the layer ``units`` does not say of a type of unit.
+
+    Attributes
+    ----------
+    name, height
+        Type in survey.toml and nominal height H, metres; None where a result of an earlier version states one leg length for all.
+    leg_length
+        Centre to end disc, metres.
+    opening
+        ``tetrahedral`` or ``paper``.
+    """
+
+    name: str | None
+    height: float | None
+    leg_length: float
+    opening: str = "tetrahedral"
+
+
+@dataclass(frozen=True)
 class EpochInfo:
     """One row of ``epochs``."""
 
@@ -185,6 +209,21 @@ def read_epochs(path: Path) -> tuple[EpochInfo, ...]:
     return tuple(sorted(infos, key=lambda info: (info.time is None, info.time.timestamp() if info.time else 0.0)))
 
 
+def epochs_of(survey: Survey, path: Path) -> dict[str, EpochInfo]:
+    """Epochs of a result by label, all of the survey's among them.
+
+    Raises
+    ------
+    InputError
+        Survey and result do not belong together.
+    """
+    infos = {info.label: info for info in read_epochs(path)}
+    missing = [epoch.label for epoch in survey.epochs if epoch.label not in infos]
+    if missing:
+        raise InputError(f"has no epoch {missing[0]}", source=path, remedy="Give the survey.toml this result was computed from.")
+    return infos
+
+
 def datums(path: Path, pair: EpochPair) -> tuple[str, ...]:
     """Datums in which a pair has displacements; ``stable`` first."""
     have_other = _has_other(path)
@@ -220,11 +259,8 @@ def read_unit_rows(path: Path, pair: EpochPair, datum: str) -> list[UnitRow]:
     return [_unit_row(unit, by_unit.get(unit), early.get(unit), late.get(unit)) for unit in sorted(early.keys() | late.keys())]
 
 
-def read_details(path: Path, unit_id: str, leg_length: float | None = None) -> UnitDetails:
-    """Poses, features, displacements and check points of one unit in all epochs.
-
-    ``leg_length`` (m) is the centre to end disc distance of the survey's unit type; the standard proportion of H by default.
-    """
+def read_details(path: Path, unit_id: str, sizes: Sequence[UnitSize] = ()) -> UnitDetails:
+    """Poses, features, displacements and check points of one unit in all epochs; ``sizes`` are those of :func:`unit_sizes`."""
     with closing(connect(path)) as connection:
         units = query(connection, "SELECT * FROM units WHERE unit_id = ?", (unit_id,))
         points = query(connection, "SELECT * FROM feature_points WHERE unit_id = ?", (unit_id,))
@@ -238,23 +274,55 @@ def read_details(path: Path, unit_id: str, leg_length: float | None = None) -> U
         if row["geom"] is not None:
             sd = np.array([row["sd_e"], row["sd_n"], row["sd_h"]], dtype=np.float64)
             features.setdefault(row["epoch"], {})[row["feature"]] = (row["geom"], sd, bool(row["observed"]))
-    shapes = {row["epoch"]: shape for row in units if (shape := shape_of(row, leg_length)) is not None}
+    shapes = {row["epoch"]: shape for row in units if (shape := shape_of(row, sizes)) is not None}
     return UnitDetails(unit_id, shapes, features, {row["epoch"]: row for row in units}, tuple(displacements), tuple(checks))
 
 
-def shape_of(row: Row, leg_length: float | None = None) -> PlacedShape | None:
+def shape_of(row: Row, sizes: Sequence[UnitSize] = ()) -> PlacedShape | None:
     """Outline of a row of ``units``; None where it has no geometry or no pose."""
     if row["geom"] is None or row["qw"] is None:
         return None
     rotation = rotation_of_quaternion([row["qx"], row["qy"], row["qz"], row["qw"]])
-    length = LEG_LENGTH_RATIO * row["height"] if leg_length is None else leg_length
-    return PlacedShape(row["geom"], rotation, float(row["r0"]), float(row["gradient"]), float(length), TETRAHEDRAL_LEGS)
+    size = size_of(row, sizes)
+    return PlacedShape(row["geom"], rotation, float(row["r0"]), float(row["gradient"]), size.leg_length, LEGS[size.opening])
 
 
-def leg_length_of(epochs: Sequence[EpochInfo]) -> float | None:
-    """Centre to end disc in metres as the run's settings state it; None where they do not."""
-    values = (epoch.settings.get("leg_length") for epoch in epochs)
-    return next((float(value) for value in values if isinstance(value, (int, float))), None)
+def unit_sizes(epochs: Sequence[EpochInfo]) -> tuple[UnitSize, ...]:
+    """Types of unit as the run's settings state them; () where they do not."""
+    for epoch in epochs:
+        types, leg_length = epoch.settings.get("unit_types"), epoch.settings.get("leg_length")
+        if isinstance(types, list):
+            return tuple(UnitSize(str(t["name"]), float(t["height"]), float(t["leg_length"]), str(t["opening"])) for t in types)
+        # earlier versions state that of the first type only
+        if isinstance(leg_length, int | float) and len(epoch.settings.get("unit", ())) < 2:
+            return (UnitSize(None, None, float(leg_length)),)
+    return ()
+
+
+def size_of(row: Row, sizes: Sequence[UnitSize]) -> UnitSize:
+    """Size of the unit of a row of ``units`` by its type, of two types of one name by its height; standard proportions for others."""
+    name, height = row.get("unit_type"), float(row["height"])
+    known = [size for size in sizes if size.name in (None, name)]
+    if not known:
+        return UnitSize(name, height, LEG_LENGTH_RATIO * height)
+    return min(known, key=lambda size: abs((size.height or height) - height))
+
+
+def unit_of(row: Row, sizes: Sequence[UnitSize]) -> UnitType:
+    """Geometry of the unit of a row of ``units``, as fitted."""
+    # SciPy comes with it, which QGIS's Python may lack
+    from .unit_types import UnitType
+
+    size = size_of(row, sizes)
+    opening: Opening = "paper" if size.opening == "paper" else "tetrahedral"
+    return UnitType.tetrapod(
+        row["height"],
+        radius=row["r0"],
+        gradient=row["gradient"],
+        leg_length=size.leg_length,
+        opening=opening,
+        name=row.get("unit_type") or "tetrapod",
+    )
 
 
 def series(details: UnitDetails, epochs: Sequence[EpochInfo], datum: str, feature: str = "centre") -> list[SeriesPoint]:

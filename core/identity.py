@@ -71,7 +71,8 @@ class Track:
     kind
         Index of the type of unit.
     relocated
-        Epochs in which the unit was found again more than H away.
+        Epochs in which the relief of its surface, not its place, told which unit it is (:mod:`.relocation`), however far it had moved: it
+        was lost before, or another one may have filled the place it left (a motion of more than 0.2 H).
     """
 
     rows: dict[int, int]

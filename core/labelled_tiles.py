@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import astuple
 from pathlib import Path
 from typing import Any
 
@@ -11,15 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .aggregation import assign
+from .control import transformation_of
 from .crs import tile_transform
-from .displacement_rows import leg_length_of
+from .displacement_rows import UnitSize, epochs_of, unit_of, unit_sizes
 from .errors import InputError, OutputError
 from .geopackage import replace_durably, temporary_beside
 from .pose import Pose
 from .result_tables import Row, read_layer_rows
 from .survey import Survey
 from .tiles import TileInfo, tile_chunks, tile_crs
-from .unit_refit import epochs_of, transformation_of
 from .unit_types import UnitType
 from .workflow import Feedback, plan_survey
 
@@ -43,7 +44,7 @@ def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: F
         The folder cannot be written.
     """
     infos = epochs_of(survey, result)
-    leg_length = leg_length_of(list(infos.values()))
+    sizes = unit_sizes(list(infos.values()))
     rows = [row for row in read_layer_rows(result, "units") if row["geom"] is not None and row["status"] != "uncertain"]
     plans = plan_survey(survey, feedback.part(0, 0.05))
     total = sum(len(plan.tiles) for plan in plans)
@@ -60,7 +61,7 @@ def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: F
                 target.parent.mkdir(parents=True, exist_ok=True)
             except OSError as error:
                 raise OutputError(f"cannot be made ({error.strerror})", source=target.parent, remedy="Choose another folder.") from error
-            labelled += _write_tile(tile, target, survey.crs, plan.epoch.tiles_crs, units, leg_length, to_control)
+            labelled += _write_tile(tile, target, survey.crs, plan.epoch.tiles_crs, units, sizes, to_control)
             done += 1
     return {"folder": str(folder), "tiles": done, "points": labelled}
 
@@ -71,7 +72,7 @@ def _write_tile(
     survey_crs: str,
     tiles_crs: str | None,
     units: list[Row],
-    leg_length: float | None,
+    sizes: Sequence[UnitSize],
     to_control: Callable[[FloatArray], FloatArray],
 ) -> int:
     """Copy one tile by chunks with the dimension added; returns how many points belong to a unit."""
@@ -98,7 +99,7 @@ def _write_tile(
                 with laspy.open(str(temporary), mode="w", header=header, laz_backend=laspy.LazBackend.Lazrs, do_compress=True) as writer:
                     for chunk in tile_chunks(reader, tile.path):
                         xyz = np.column_stack([chunk.x, chunk.y, chunk.z]).astype(np.float64, copy=False)
-                        numbers = _numbers(to_control(xyz if transform is None else transform(xyz)), units, leg_length)
+                        numbers = _numbers(to_control(xyz if transform is None else transform(xyz)), units, sizes)
                         points = laspy.ScaleAwarePointRecord.zeros(len(chunk), header=header)
                         points.copy_fields_from(chunk)
                         points[DIMENSION] = numbers
@@ -110,20 +111,20 @@ def _write_tile(
     return labelled
 
 
-def _numbers(points: FloatArray, units: list[Row], leg_length: float | None) -> NDArray[np.uint32]:
+def _numbers(points: FloatArray, units: list[Row], sizes: Sequence[UnitSize]) -> NDArray[np.uint32]:
     """(n,) number of the unit of each point of the control frame, 0 for none."""
     numbers = np.zeros(len(points), dtype=np.uint32)
     if not len(points):
         return numbers
     origin = np.floor(points.mean(axis=0))
     nearest = np.full(len(points), np.inf)
-    shapes = sorted({(row["height"], row["r0"], row["gradient"]) for row in units})
-    for height, radius, gradient in shapes:
-        members = [row for row in units if (row["height"], row["r0"], row["gradient"]) == (height, radius, gradient)]
-        unit = UnitType.tetrapod(height, radius=radius, gradient=gradient, leg_length=leg_length)
+    by_shape: dict[UnitType, list[Row]] = {}
+    for row in units:
+        by_shape.setdefault(unit_of(row, sizes), []).append(row)
+    for unit, members in sorted(by_shape.items(), key=lambda item: astuple(item[0])):
         poses = [Pose.from_quaternion(row["geom"] - origin, [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in members]
         table = np.array([np.concatenate([pose.centre, pose.rotation.ravel()]) for pose in poses])
-        labels, distance = assign(points - origin, table, unit, NEAR_SURFACE_HEIGHTS * height)
+        labels, distance = assign(points - origin, table, unit, NEAR_SURFACE_HEIGHTS * unit.height)
         nearer = (labels >= 0) & (np.abs(distance) < nearest)
         nearest[nearer] = np.abs(distance[nearer])
         ids = np.array([_number_of(row["unit_id"]) for row in members], dtype=np.uint32)

@@ -22,13 +22,14 @@ from .displacement_rows import (
     EpochInfo,
     UnitDetails,
     UnitRow,
+    UnitSize,
     check_comparisons,
-    leg_length_of,
     read_details,
     read_epochs,
     read_unit_rows,
     series,
     shape_of,
+    unit_sizes,
 )
 from .errors import InputError, OutputError
 from .outline import PlacedShape
@@ -184,10 +185,10 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
     rejected = frozenset(unit for unit, review in reviews.items() if review.decision == "rejected")
     epochs = read_epochs(result)
     settings = epochs[-1].settings if epochs else {}
-    length = leg_length_of(epochs)
+    sizes = unit_sizes(epochs)
     shapes: dict[str, PlacedShape] = {}
     for row in read_layer_rows(result, "units"):
-        shape = shape_of(row, length)
+        shape = shape_of(row, sizes)
         if shape is not None and (row["epoch"] == pair.epoch_from or row["unit_id"] not in shapes):
             shapes[row["unit_id"]] = shape
     control = tuple(row for row in read_layer_rows(result, "control_residuals") if row["epoch"] in (pair.epoch_from, pair.epoch_to))
@@ -218,7 +219,7 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
         control,
         next((row for row in read_layer_rows(result, "epoch_pairs") if (row["epoch_from"], row["epoch_to"]) == key), None),
         tuple(_check_lines(result, pair)),
-        tuple(_worst(result, rows, rejected, reviews, pair, datum, epochs, length, options.worst, translate)),
+        tuple(_worst(result, rows, rejected, reviews, pair, datum, epochs, sizes, options.worst, translate)),
         {kind: sum(row.kind == kind for row in rows if row.unit_id not in rejected) for kind in figures.CLASS_COLOURS},
         drawn,
         settings,
@@ -328,7 +329,7 @@ def _worst(
     pair: EpochPair,
     datum: str,
     epochs: Sequence[EpochInfo],
-    length: float | None,
+    sizes: Sequence[UnitSize],
     count: int,
     translate: Translate,
 ) -> list[WorstUnit]:
@@ -338,7 +339,7 @@ def _worst(
     index = PointIndex(folder) if (folder / "index.json").is_file() else None
     found = []
     for row in moved[:count]:
-        details = read_details(result, row.unit_id, length)
+        details = read_details(result, row.unit_id, sizes)
         lines = {name: points for name in FEATURES if len(points := series(details, epochs, datum, name)) > 1}
         drawn = figures.unit_series(lines, row.detection_limit, translate) if lines else ""
         found.append(WorstUnit(row, reviews.get(row.unit_id), _views(details, pair, index, translate), drawn))

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cache
 from importlib import metadata
 from pathlib import Path
@@ -68,7 +68,7 @@ class RunRecord:
 
 
 def record_run(survey: Survey, seed: int, settings: Mapping[str, Any]) -> RunRecord:
-    """Checksum all inputs of a survey.
+    """Checksum all inputs of a survey; its types of unit are kept in the settings as ``unit_types``.
 
     Raises
     ------
@@ -83,6 +83,7 @@ def record_run(survey: Survey, seed: int, settings: Mapping[str, Any]) -> RunRec
     with ThreadPoolExecutor(4) as pool:
         sums = list(pool.map(checksum, files))
     checksums = dict(zip(files, sums, strict=True))
+    settings = {**settings, "unit_types": [asdict(unit.type) for unit in survey.units]}
     if survey.stable_areas is not None:
         areas = {"name": survey.stable_areas.name, "sha256": checksums[survey.stable_areas]}
         settings = {**settings, "stable_areas": areas}

@@ -231,6 +231,13 @@ LAYERS: dict[str, Layer] = {
                 Field("common_p_value", "real", "p-value of the test that the stable set did not move against control"),
                 Field("covariance_factor", "real", "factor of the standard deviations, estimated from the stable units"),
                 Field("covariance_floor", "real", "standard deviation added to every displacement, estimated from the stable units", "m"),
+                Field("rotation_factor", "real", "factor of the rotations' standard deviations, estimated from the stable units"),
+                Field(
+                    "rotation_floor_deg",
+                    "real",
+                    "standard deviation added to every rotation about each axis, estimated from the stable units",
+                    "degrees",
+                ),
                 Field("tail_degrees", "real", "degrees of freedom of the displacements' t distribution"),
             ),
         ),

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from scipy.linalg import block_diag
 from scipy.spatial import cKDTree
 
-from .congruence import Congruence, NullModel, calibrate, congruence_of
-from .control import Transformation
+from .congruence import Congruence, NullModel, calibrate, calibrated, congruence_of
+from .control import Transformation, mean_offset_variance
 from .cross_check import CrossCheck, cross_check
 from .displacement import (
     SECONDS_PER_YEAR,
@@ -87,10 +87,7 @@ class TrackedEpoch:
     @property
     def placement(self) -> Transformation | None:
         """The registration with the mean offset of the strips, as a common shift, added to its covariance."""
-        if self.registration is None:
-            return None
-        offset = np.diag([self.offset_variance] * 3 + [0.0] * 4)
-        return replace(self.registration, covariance=self.registration.covariance + offset)
+        return None if self.registration is None else self.registration.with_offset(self.offset_variance)
 
 
 @dataclass(frozen=True, eq=False)
@@ -324,11 +321,7 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
 
 def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
     """The epoch with the variance of the mean offset of its strips."""
-    offsets = np.array([offset for (e, _), offset in joint.offsets.items() if e == number]).reshape(-1, 3)
-    if epoch.registration is None or len(offsets) < 2:
-        return epoch
-    variance = float(np.mean(np.sum(offsets**2, axis=0) / (len(offsets) - 1) / len(offsets)))
-    return replace(epoch, offset_variance=variance)
+    return replace(epoch, offset_variance=mean_offset_variance([offset for (e, _), offset in joint.offsets.items() if e == number]))
 
 
 def _odd_sizes(joint: JointAdjustment, kinds: IntArray) -> frozenset[int]:
@@ -522,7 +515,7 @@ def _velocities(
         have = [e for e in have if e == 0 or e in to_first]
         if len(have) < 3 or tracks[k].relocated:
             continue
-        points = [_placed(states[e], units[tracks[k].kind], to_first.get(e)) for e in have]
+        points = [_placed(states[e], units[tracks[k].kind], own_covariance(pairs, e, states[e]), to_first.get(e)) for e in have]
         result[k] = tuple(
             velocity(
                 f, years[have], np.array([p.positions[f] for p in points]), np.array([p.covariances[f] for p in points]),
@@ -533,18 +526,25 @@ def _velocities(
     return result
 
 
-def _placed(state: TrackedUnit, unit: UnitType, pair: EpochPair | None) -> FeaturePoints:
-    """Feature points in the first epoch's datum with the calibrated covariance of one epoch."""
-    covariance = np.zeros((8, 8))
-    if state.pose is None or state.covariance is None:
+def own_covariance(pairs: Sequence[EpochPair], epoch: int, state: TrackedUnit) -> FloatArray:
+    """(6, 6) covariance of a pose without registration: of the joint adjustment, calibrated by the pairs its epoch belongs to."""
+    if state.covariance is None:
+        raise ValueError("a unit without pose has no covariance")
+    return calibrated(state.covariance, [(p.congruence.null, p.turn_null) for p in pairs if epoch in (p.first, p.second)])
+
+
+def _placed(state: TrackedUnit, unit: UnitType, own: FloatArray, to_first: EpochPair | None) -> FeaturePoints:
+    """Feature points in the first epoch's datum.
+
+    Their covariance is the epoch's ``own`` (6, 6) one and, in later epochs, that of the motion from the first one to them.
+    """
+    if state.pose is None:
         raise ValueError("a unit without pose has no feature points")
-    covariance[:6, :6] = state.covariance
+    covariance = np.zeros((8, 8))
+    covariance[:6, :6] = own
     points = feature_points(state.pose, unit_shape(unit, state.scale), covariance)
-    if pair is None:
-        floor = np.eye(3) * 1e-12
-        return replace(points, covariances=points.covariances + floor)
-    null = pair.congruence.null
-    # the floor belongs to a difference of two epochs: half of it to each
-    covariances = null.factor**2 * points.covariances + 0.5 * null.floor**2 * np.eye(3)
-    covariances = covariances + pair.congruence.common_covariance(points.positions, "stable")
-    return replace(points, positions=points.positions - pair.congruence.common_part(points.positions), covariances=covariances)
+    if to_first is None:
+        return points
+    congruence = to_first.congruence
+    covariances = points.covariances + congruence.common_covariance(points.positions, "stable")
+    return replace(points, positions=points.positions - congruence.common_part(points.positions), covariances=covariances)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from .displacement import Grade, UnitMotion, grade
 from .feature_points import FEATURES
 from .pose import Pose
-from .tracking import DATUMS, EpochPair, TrackedEpoch, TrackedUnit, Tracking, unit_shape
+from .tracking import DATUMS, EpochPair, TrackedEpoch, TrackedUnit, Tracking, own_covariance, unit_shape
 from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
@@ -46,23 +46,13 @@ def unit_names(count: int) -> list[str]:
 
 def pose_covariance(tracking: Tracking, epoch: int, state: TrackedUnit) -> FloatArray:
     """(8, 8) covariance of a pose in the control frame: calibrated joint adjustment and registration; shape held."""
-    if state.covariance is None or state.pose is None:
+    if state.pose is None:
         raise ValueError("a unit without pose has no covariance")
-    nulls = [(p.congruence.null, p.turn_null) for p in tracking.pairs if epoch in (p.first, p.second)]
-    own = state.covariance.copy()
-    if nulls:
-        # the floor of a difference belongs half to each of its epochs
-        factors = np.repeat([np.median([n.factor for n, _ in nulls]), np.median([t.factor for _, t in nulls])], 3)
-        floors = np.repeat([np.median([n.floor for n, _ in nulls]), np.median([t.floor for _, t in nulls])], 3)
-        own = own * np.outer(factors, factors) + np.diag(0.5 * floors**2)
     covariance = np.zeros((8, 8))
-    covariance[:6, :6] = own
+    covariance[:6, :6] = own_covariance(tracking.pairs, epoch, state)
     registration = tracking.registrations[epoch]
     if registration is not None:
-        effect = np.zeros((8, 7))
-        effect[:3] = registration.jacobian(state.pose.centre[None])[0]
-        effect[3:6, 3:6] = np.eye(3)
-        covariance += effect @ registration.covariance @ effect.T
+        covariance[:6, :6] += registration.pose_covariance(state.pose)
     return covariance
 
 
@@ -177,6 +167,8 @@ def pair_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], origin: FloatA
                 "common_p_value": test.common_p_value,
                 "covariance_factor": test.null.factor,
                 "covariance_floor": test.null.floor,
+                "rotation_factor": pair.turn_null.factor,
+                "rotation_floor_deg": math.degrees(pair.turn_null.floor),
                 "tail_degrees": test.null.tail,
                 "geometry": np.asarray(test.origin) + origin,
             }

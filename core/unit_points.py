@@ -1,7 +1,8 @@
 """Points around single units, from an index beside the result that answers in milliseconds.
 
 The index holds, per epoch and tile, the points near any unit in the control frame, sorted by square cells, as plain numpy
-files that are mapped into memory: neither LAZ nor the engine is needed to read them.
+files of which only the cells asked for are read: neither LAZ nor the engine is needed. No file is kept open between two looks, since
+Windows does not let go of a folder with open files, and an index that was built anew meanwhile is taken up by itself.
 """
 
 from __future__ import annotations
@@ -12,8 +13,7 @@ import os
 import shutil
 import tempfile
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
@@ -24,19 +24,23 @@ from .errors import InputError, OutputError
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-INDEX_VERSION = 2
+INDEX_VERSION = 3
 SCALE = 1e-4
 """Resolution of stored coordinates, metres: far below any sensor's noise."""
+MAX_SPAN = 4e5
+"""Extent in metres that the numbers of one part hold about its own origin."""
+REMEDY = "Build it with tetratrack unit-points, or from the review dock."
 _STRIDE = 1 << 20
 
 
 @dataclass(frozen=True)
 class IndexPart:
-    """Points of one tile: file stem, number of points and bounds (min e, min n, max e, max n) in metres."""
+    """Points of one tile: file stem, number of points, bounds (min e, min n, max e, max n) and origin of their numbers, metres."""
 
     stem: str
     count: int
     bounds: tuple[float, float, float, float]
+    origin: tuple[float, float, float]
 
 
 def index_folder(result: Path) -> Path:
@@ -60,25 +64,31 @@ class PointIndex:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        description = folder / "index.json"
+        self._describe()
+
+    def _describe(self) -> None:
+        """Read what the index holds."""
+        description = self.folder / "index.json"
+        self._cells: dict[str, tuple[IntArray, IntArray]] = {}
         if not description.is_file():
-            raise InputError(
-                "there is no point index", source=folder, remedy="Build it with tetratrack unit-points, or from the review dock."
-            )
+            raise InputError("there is no point index", source=self.folder, remedy=REMEDY)
         try:
             content = json.loads(description.read_text(encoding="utf-8"))
             version = content["version"]
-            self.origin = np.array(content["origin"], dtype=np.float64)
+        except (KeyError, TypeError, ValueError) as error:
+            raise InputError("is no point index", source=description, remedy="Delete the folder and build it again.") from error
+        if version != INDEX_VERSION:
+            raise InputError(f"is a point index of version {version}, not {INDEX_VERSION}", source=description, remedy=REMEDY)
+        try:
+            self.grid_origin = np.array(content["grid_origin"], dtype=np.float64)
             self.cell = float(content["cell"])
             self._parts = {
-                epoch: [IndexPart(part["stem"], int(part["count"]), tuple(part["bounds"])) for part in parts]
+                epoch: [IndexPart(part["stem"], int(part["count"]), tuple(part["bounds"]), tuple(part["origin"])) for part in parts]
                 for epoch, parts in content["epochs"].items()
             }
             self._noise = {epoch: (float(sds[0]), float(sds[1])) for epoch, sds in content.get("noise", {}).items()}
-        except (json.JSONDecodeError, KeyError, TypeError, ValueError) as error:
+        except (AttributeError, KeyError, TypeError, ValueError) as error:
             raise InputError("is no point index", source=description, remedy="Delete the folder and build it again.") from error
-        if version != INDEX_VERSION:
-            raise InputError(f"is a point index of version {version}", source=description, remedy="Delete the folder and build it again.")
 
     @property
     def epochs(self) -> tuple[str, ...]:
@@ -102,19 +112,32 @@ class PointIndex:
         """(n, columns) coordinates of points, and of their sensors where that many are asked for."""
         middle = np.asarray(centre, dtype=np.float64)
         low, high = middle - half_size, middle + half_size
+        try:
+            points = self._read_parts(epoch, low, high, columns)
+        except FileNotFoundError:
+            # built anew since it was opened, with names of its own
+            self._describe()
+            points = self._read_parts(epoch, low, high, columns)
+        return points[np.all((points[:, :3] >= low) & (points[:, :3] <= high), axis=1)]
+
+    def _read_parts(self, epoch: str, low: FloatArray, high: FloatArray, columns: int) -> FloatArray:
         found = [np.empty((0, columns))]
         for part in self._parts.get(epoch, []):
             e0, n0, e1, n1 = part.bounds
             if e1 < low[0] or e0 > high[0] or n1 < low[1] or n0 > high[1]:
                 continue
             found.append(self._read_part(part, low, high, columns))
-        points = np.vstack(found)
-        return points[np.all((points[:, :3] >= low) & (points[:, :3] <= high), axis=1)]
+        return np.vstack(found)
 
     def _read_part(self, part: IndexPart, low: FloatArray, high: FloatArray, columns: int) -> FloatArray:
-        keys, starts, coordinates = self._files(part.stem)
-        first = np.floor((low[:2] - self.origin[:2]) / self.cell).astype(np.int64)
-        last = np.floor((high[:2] - self.origin[:2]) / self.cell).astype(np.int64)
+        if part.stem not in self._cells:
+            table = np.load(self.folder / f"{part.stem}.cells.npy", allow_pickle=False)
+            self._cells[part.stem] = table[0], table[1]
+        keys, starts = self._cells[part.stem]
+        first = np.floor((low[:2] - self.grid_origin) / self.cell).astype(np.int64)
+        last = np.floor((high[:2] - self.grid_origin) / self.cell).astype(np.int64)
+        # the map ends with this look
+        coordinates = np.load(self.folder / f"{part.stem}.points.npy", mmap_mode="r", allow_pickle=False)
         pieces = []
         # cells of one row follow each other in the file
         for i in range(int(first[0]), int(last[0]) + 1):
@@ -122,17 +145,7 @@ class PointIndex:
             b = np.searchsorted(keys, _key(i, int(last[1])), side="right")
             if b > a:
                 pieces.append(np.asarray(coordinates[starts[a] : starts[b], :columns]))
-        return np.asarray(np.vstack(pieces) * SCALE + np.tile(self.origin, columns // 3)) if pieces else np.empty((0, columns))
-
-    def _files(self, stem: str) -> tuple[IntArray, IntArray, NDArray[np.int32]]:
-        if stem not in self._open:
-            cells = np.load(self.folder / f"{stem}.cells.npy", allow_pickle=False)
-            self._open[stem] = (cells[0], cells[1], np.load(self.folder / f"{stem}.points.npy", mmap_mode="r", allow_pickle=False))
-        return self._open[stem]
-
-    @cached_property
-    def _open(self) -> dict[str, tuple[IntArray, IntArray, NDArray[np.int32]]]:
-        return {}
+        return np.asarray(np.vstack(pieces) * SCALE + np.tile(part.origin, columns // 3)) if pieces else np.empty((0, columns))
 
 
 def write_index(
@@ -156,7 +169,8 @@ def write_index(
     centres
         (m, 3) centres of the units in all epochs.
     half_size
-        Points farther than this from every centre (in each coordinate) are left out, metres.
+        All points within this of a centre in easting and northing are kept, metres, and with them the rest of the cells that this
+        reaches into, at any height.
     cell
         Edge of the cells, metres; half of ``half_size`` by default.
     noise
@@ -169,6 +183,8 @@ def write_index(
 
     Raises
     ------
+    InputError
+        There are no units, or points of one tile lie hundreds of kilometres apart.
     OutputError
         The folder cannot be written.
     """
@@ -176,47 +192,56 @@ def write_index(
     if len(middle) == 0:
         raise InputError("there are no units to index points around", source=folder, remedy="Run the survey first.")
     edge = half_size / 2 if cell is None else cell
-    origin = np.floor(middle.min(axis=0) - 2 * half_size)
+    origin = np.floor(middle[:, :2].min(axis=0) - 2 * half_size)
     wanted = _cells_near(middle, origin, half_size, edge)
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         work = Path(tempfile.mkdtemp(prefix=f"{folder.name}.", dir=folder.parent))
     except OSError as error:
         raise OutputError(f"cannot be written ({error.strerror})", source=folder, remedy="Choose a folder that can be written.") from error
-    total = 0
-    parts: dict[str, list[dict[str, object]]] = {}
+    parts: dict[str, list[IndexPart]] = {}
+    # names of their own for every index: one that reads an older index never mixes the two
+    build = work.name.removeprefix(f"{folder.name}.")
     try:
-        for number, (epoch, _tile, points) in enumerate(tiles):
-            kept = _write_part(work / f"{number:05d}", points, origin, edge, wanted)
-            parts.setdefault(epoch, [])
-            if kept is not None:
-                parts[epoch].append({"stem": f"{number:05d}", "count": kept[0], "bounds": kept[1]})
-                total += kept[0]
+        for number, (epoch, tile, points) in enumerate(tiles):
+            kept = _write_part(work / f"{build}-{number:05d}", points, origin, edge, wanted, tile)
+            parts.setdefault(epoch, []).extend([] if kept is None else [kept])
         content = {
             "version": INDEX_VERSION,
-            "origin": origin.tolist(),
+            "grid_origin": origin.tolist(),
             "cell": edge,
             "half_size": half_size,
-            "epochs": parts,
+            "epochs": {epoch: [asdict(part) for part in own] for epoch, own in parts.items()},
             "noise": dict(noise or {}),
         }
         (work / "index.json").write_text(json.dumps(content, indent=1), encoding="utf-8")
-        if folder.exists():
-            shutil.rmtree(folder)
-        os.replace(work, folder)
+        _put(work, folder)
     except OSError as error:
         raise OutputError(
             f"cannot be written ({error.strerror})", source=folder, remedy="Free disk space or choose another folder."
         ) from error
     finally:
         shutil.rmtree(work, ignore_errors=True)
-    return total
+    return sum(part.count for own in parts.values() for part in own)
 
 
-def _write_part(
-    stem: Path, points: FloatArray, origin: FloatArray, cell: float, wanted: IntArray
-) -> tuple[int, tuple[float, float, float, float]] | None:
-    place = np.floor((points[:, :2] - origin[:2]) / cell).astype(np.int64)
+def _put(work: Path, folder: Path) -> None:
+    """Give a finished index its name; one that has it already goes only when the new one is in its place."""
+    aside = work.with_name(f"{work.name}.old")
+    if folder.exists():
+        os.replace(folder, aside)
+    try:
+        os.replace(work, folder)
+    except OSError:
+        if aside.exists():
+            os.replace(aside, folder)
+        raise
+    shutil.rmtree(aside, ignore_errors=True)
+
+
+def _write_part(stem: Path, points: FloatArray, grid_origin: FloatArray, cell: float, wanted: IntArray, tile: str) -> IndexPart | None:
+    """Write the points of one tile in wanted cells; None where there are none."""
+    place = np.floor((points[:, :2] - grid_origin) / cell).astype(np.int64)
     keys = place[:, 0] * _STRIDE + place[:, 1]
     inside = (place >= 0).all(axis=1) & (place < _STRIDE).all(axis=1)
     slot = np.minimum(np.searchsorted(wanted, keys), len(wanted) - 1)
@@ -230,17 +255,29 @@ def _write_part(
     # one more start than cells, so that the last cell ends somewhere; its key is never asked for
     table = np.vstack([np.append(cells, np.iinfo(np.int64).max), np.append(starts, len(kept))])
     np.save(stem.with_name(f"{stem.name}.cells.npy"), table)
-    reduced = kept - np.tile(origin, kept.shape[1] // 3)
-    np.save(stem.with_name(f"{stem.name}.points.npy"), np.round(reduced / SCALE).astype(np.int32))
     low, high = kept.min(axis=0), kept.max(axis=0)
-    return len(kept), (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+    middle = np.round((low[:3] + high[:3]) / 2)
+    reduced = kept - np.tile(middle, kept.shape[1] // 3)
+    if np.abs(reduced).max() > MAX_SPAN / 2:
+        raise InputError(
+            f"points, or the sensor and its points, are {1e-3 * np.abs(reduced).max():.0f} km from the middle",
+            source=Path(tile),
+            remedy="Check the tile's coordinates and the sensor's positions, or cut the tile into smaller ones.",
+        )
+    np.save(stem.with_name(f"{stem.name}.points.npy"), np.round(reduced / SCALE).astype(np.int32))
+    return IndexPart(
+        stem.name,
+        len(kept),
+        (float(low[0]), float(low[1]), float(high[0]), float(high[1])),
+        (float(middle[0]), float(middle[1]), float(middle[2])),
+    )
 
 
 def _cells_near(centres: FloatArray, origin: FloatArray, half_size: float, cell: float) -> IntArray:
     """Sorted keys of all cells that reach into ``half_size`` of a centre."""
     reach = math.ceil(half_size / cell)
     step = np.arange(-reach, reach + 1)
-    place = np.floor((centres[:, :2] - origin[:2]) / cell).astype(np.int64)
+    place = np.floor((centres[:, :2] - origin) / cell).astype(np.int64)
     i = (place[:, 0, None, None] + step[None, :, None]) * _STRIDE
     return np.unique(i + place[:, 1, None, None] + step[None, None, :])
 

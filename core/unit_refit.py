@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.spatial.transform import Rotation
 
 from .block_jobs import ROUGHNESS_RATIO
-from .control import Transformation
-from .displacement_rows import EpochInfo, leg_length_of, read_epochs
+from .congruence import NullModel, calibrated
+from .control import mean_offset_variance, transformation_of
+from .displacement_rows import EpochInfo, epochs_of, read_epochs, unit_of, unit_sizes
 from .errors import InputError
 from .gauss_helmert import AdjustmentOptions, adjust
 from .pose import Pose
@@ -24,7 +24,6 @@ from .tiles import checksum, read_points
 from .trajectory import noise_of, surface_covariances
 from .unit_edits import NewPose, set_pose
 from .unit_points import PointIndex, index_folder, write_index
-from .unit_types import UnitType
 from .workflow import Feedback, plan_survey
 
 FloatArray = NDArray[np.float64]
@@ -42,7 +41,10 @@ def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[
     Raises
     ------
     InputError
-        Survey and result do not belong together, a tile is damaged, or the sensor's position is not known for a point.
+        Survey and result do not belong together, there are no units, a tile is damaged, or the sensor's position is not known for a
+        point.
+    OutputError
+        The index cannot be written.
     """
     infos = epochs_of(survey, result)
     centres = [row["geom"] for row in read_layer_rows(result, "units") if row["geom"] is not None]
@@ -78,17 +80,35 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
     """Find the unit at a place shown by the user, adjust it and put the new pose into the result.
 
     The shape (radius, gradient) stays that of the unit's rows, and points are weighted by beam where the index knows the sensor's
-    positions, as in the run.
+    positions, as in the run. Standard deviations are calibrated and hold the registration, as those of the run.
 
     Parameters
     ----------
+    result
+        Result of a run, with its point index beside it (:func:`index_unit_points`).
+    unit_id
+        The unit, which may have been missed in that epoch but has a pose in some epoch.
+    epoch
+        Label of the epoch to fit it in.
     near
         (3,) place on or in the unit, control frame, metres.
+    editor
+        Who asks for it; stands beside the correction.
+    seed
+        Of the random draws of the search.
+
+    Returns
+    -------
+    summary
+        ``unit_id``, ``epoch``, ``n_points`` that carry weight, ``score`` of the detection and ``sigma0`` of the fit.
 
     Raises
     ------
     InputError
-        There is no point index, no such unit, or no tetrapod is found at that place.
+        There is no point index or one of another version; the unit or the epoch is not in the result, or the unit has no pose in any
+        epoch or another opening than the tetrahedral one; no tetrapod is found at that place; or the editor has no name.
+    OutputError
+        The result cannot be written.
     """
     rows = [row for row in read_layer_rows(result, "units") if row["unit_id"] == unit_id]
     if not rows:
@@ -102,7 +122,15 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
         raise InputError(
             "has no pose in any epoch to take its size from", source=result, where=f"unit {unit_id}", remedy="Choose another unit."
         )
-    unit = UnitType.tetrapod(shape["height"], radius=shape["r0"], gradient=shape["gradient"], leg_length=leg_length_of(epochs))
+    unit = unit_of(shape, unit_sizes(epochs))
+    if unit.opening != "tetrahedral":
+        # corrections number legs and place joints as of a regular tetrahedron
+        raise InputError(
+            f"has the opening {unit.opening!r}, of which corrections know nothing",
+            source=result,
+            where=f"unit {unit_id}",
+            remedy="Run the survey again instead.",
+        )
     place = np.asarray(near, dtype=np.float64)
     index = PointIndex(index_folder(result))
     noise, reach = index.noise(epoch), REACH_HEIGHTS * unit.height
@@ -125,7 +153,7 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
     options = AdjustmentOptions(radius_sd=0.0, gradient_sd=0.0)
     fitted = adjust(points[own], unit, detected.pose, options=options, covariances=covariances)
     pose = fitted.pose.shifted(place)
-    covariance = fitted.covariance[:6, :6] + _registration_covariance(info.transformation, pose)
+    covariance = _covariance_in_control(result, info, fitted.covariance[:6, :6], pose)
     sd = np.sqrt(np.diag(covariance))
     new = NewPose(
         pose.centre,
@@ -145,51 +173,27 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
     return {"unit_id": unit_id, "epoch": epoch, "n_points": new.n_points, "score": detected.score, "sigma0": fitted.sigma0}
 
 
-def epochs_of(survey: Survey, result: Path) -> dict[str, EpochInfo]:
-    """Epochs of a result by label, all of the survey's among them.
+def _covariance_in_control(result: Path, info: EpochInfo, own: FloatArray, pose: Pose) -> FloatArray:
+    """(6, 6) covariance of a pose in the control frame from that of its adjustment, as the run states those of its units.
 
-    Raises
-    ------
-    InputError
-        Survey and result do not belong together.
+    It is calibrated by the epoch pairs, and holds the registration and the mean offset of the epoch's strips or stations.
     """
-    infos = {info.label: info for info in read_epochs(result)}
-    missing = [epoch.label for epoch in survey.epochs if epoch.label not in infos]
-    if missing:
-        raise InputError(f"has no epoch {missing[0]}", source=result, remedy="Give the survey.toml this result was computed from.")
-    return infos
-
-
-def transformation_of(record: Mapping[str, Any]) -> Transformation | None:
-    """Transformation from the record in layer ``epochs``; None where the cloud's own frame was kept.
-
-    Raises
-    ------
-    InputError
-        The record is incomplete.
-    """
-    if not record:
-        return None
-    try:
-        turn = Rotation.from_rotvec(np.asarray(record["rotation_vector_rad"], dtype=np.float64)).as_matrix()
-        return Transformation(
-            np.asarray(record["origin_from"], dtype=np.float64),
-            np.asarray(record["origin_to"], dtype=np.float64),
-            np.asarray(record["translation_m"], dtype=np.float64),
-            turn,
-            float(record["scale"]),
-            np.asarray(record["covariance"], dtype=np.float64),
-        )
-    except (KeyError, TypeError, ValueError) as error:
-        raise InputError(f"layer epochs holds a transformation without {error}", remedy="Run tetratrack again.") from error
-
-
-def _registration_covariance(record: Mapping[str, Any], pose: Pose) -> FloatArray:
-    """(6, 6) covariance that the registration brings into a pose, parameters e, n, h and rotation vector."""
-    transformation = transformation_of(record)
+    covariance = calibrated(own, _calibration(result, info.label))
+    transformation = transformation_of(info.transformation)
     if transformation is None:
-        return np.zeros((6, 6))
-    effect = np.zeros((6, 7))
-    effect[:3] = transformation.jacobian(pose.centre[None])[0]
-    effect[3:, 3:6] = np.eye(3)
-    return np.asarray(effect @ transformation.covariance @ effect.T)
+        return covariance
+    offsets = list(info.settings.get("source_offsets_m", {}).values())
+    return covariance + transformation.with_offset(mean_offset_variance(offsets)).pose_covariance(pose)
+
+
+def _calibration(result: Path, epoch: str) -> list[tuple[NullModel, NullModel]]:
+    """Calibration of positions and rotations by every epoch pair of an epoch."""
+    nulls = []
+    for row in read_layer_rows(result, "epoch_pairs"):
+        factor, floor = row.get("covariance_factor"), row.get("covariance_floor")
+        if epoch not in (row["epoch_from"], row["epoch_to"]) or factor is None or floor is None:
+            continue
+        # earlier versions do not record rotations, whose standard deviations are too small for the same reasons
+        turn_factor, turn_floor = row.get("rotation_factor") or factor, math.radians(row.get("rotation_floor_deg") or 0.0)
+        nulls.append((NullModel(factor, floor, math.inf, 0.0, 0), NullModel(turn_factor, turn_floor, math.inf, 0.0, 0)))
+    return nulls

@@ -14,7 +14,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.displacement_rows import EpochInfo, UnitDetails, UnitRow, datums, leg_length_of, read_details, read_epochs, read_unit_rows
+from ..core.displacement_rows import EpochInfo, UnitDetails, UnitRow, datums, read_details, read_epochs, read_unit_rows, unit_sizes
 from ..core.errors import InputError, OutputError, TetratrackError
 from ..core.result_tables import EpochPair, epoch_pairs
 from ..core.reviews import Decision, Review, ReviewEvent, confirm, decide, is_writable, prepare, read_history, read_reviews, undo
@@ -149,11 +149,6 @@ class ReviewStore:
         """Datums the present pair has."""
         return datums(self.path, self.pair)
 
-    @property
-    def leg_length(self) -> float | None:
-        """Centre to end disc in metres as the run's settings state it."""
-        return leg_length_of(self.epochs)
-
     # order and filter
 
     def sort(self, column: str, descending: bool) -> None:
@@ -223,7 +218,7 @@ class ReviewStore:
         if unit_id not in self._details:
             if len(self._details) >= DETAILS_KEPT:
                 self._details.pop(next(iter(self._details)))
-            self._details[unit_id] = read_details(self.path, unit_id, self.leg_length)
+            self._details[unit_id] = read_details(self.path, unit_id, unit_sizes(self.epochs))
         return self._details[unit_id]
 
     def open_index(self) -> None:

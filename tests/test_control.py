@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ from scipy.spatial.transform import Rotation
 from scipy.stats import chi2, kstest
 from tetratrack.core import control as module
 from tetratrack.core.errors import CrsError, InputError
+from tetratrack.core.pose import Pose
 
 CENTRE = np.array([523_170.0, 3_884_615.0, 7.5])
 NETWORK = np.array(
@@ -57,6 +59,32 @@ def test_transformation_without_noise_is_recovered_and_inverted() -> None:
     assert np.allclose(found.invert(found.apply(points + CENTRE)), points + CENTRE, atol=1e-8)
     again = module.Transformation.from_record(found.as_record())
     assert np.allclose(again.apply(points + CENTRE), found.apply(points + CENTRE), atol=1e-9)
+
+
+def test_covariance_of_a_pose_follows_the_seven_parameters() -> None:
+    rng = np.random.default_rng(4)
+    turn = Rotation.from_rotvec([0.4, -0.2, 1.1]).as_matrix()
+    root = rng.normal(size=(7, 7))
+    given = module.Transformation(np.zeros(3), CENTRE, np.zeros(3), turn, 1.0, 1e-6 * root @ root.T)
+    pose = Pose(np.array([12.0, -7.0, 3.0]), Rotation.from_rotvec([0.3, 0.9, -0.5]).as_matrix())
+    placed = given.apply_pose(pose)
+    effect, step = np.empty((6, 7)), 1e-6
+    for k, change in enumerate(step * np.eye(7)):
+        moved = replace(given.with_shift(change[:3], change[3:6], given.covariance), scale=1 + change[6]).apply_pose(pose)
+        turned = Rotation.from_matrix(moved.rotation @ placed.rotation.T).as_rotvec()
+        effect[:, k] = np.append(moved.centre - placed.centre, turned) / step
+    np.testing.assert_allclose(given.pose_covariance(placed), effect @ given.covariance @ effect.T, rtol=1e-3, atol=1e-8)
+    more = given.with_offset(0.01).pose_covariance(placed) - given.pose_covariance(placed)
+    np.testing.assert_allclose(more, np.diag([0.01] * 3 + [0.0] * 3), atol=1e-9)
+
+
+def test_variance_of_a_mean_offset() -> None:
+    """Of strips whose offsets are known against their mean only, as the joint adjustment gives them."""
+    offsets = np.random.default_rng(6).normal(0, 0.02, (2000, 5, 3))
+    means = offsets.mean(axis=1, keepdims=True)
+    stated = [module.mean_offset_variance(own) for own in offsets - means]
+    assert np.mean(stated) == pytest.approx(means.var(), rel=0.08)
+    assert module.mean_offset_variance(np.ones((1, 3))) == module.mean_offset_variance([]) == 0
 
 
 def test_similarity_recovers_the_scale() -> None:

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import json
+import shutil
+import sqlite3
+from contextlib import closing
+from dataclasses import asdict
 from pathlib import Path
 
 import laspy
 import numpy as np
 import pytest
+from tetratrack.core.displacement_rows import read_epochs
 from tetratrack.core.errors import InputError
 from tetratrack.core.labelled_tiles import write_labelled_tiles
 from tetratrack.core.survey import read_survey
@@ -39,6 +45,20 @@ def test_labels_follow_the_truth_and_nothing_else_changes(tiny: Path, result: Pa
 
     labelled = laspy.read(written[0])
     assert labelled.header.point_count == laspy.read(tiny / "tiles" / "2024-04-09" / written[0].name).header.point_count
+
+
+def test_units_of_the_second_type_have_its_size(tiny: Path, result: Path, tmp_path: Path):
+    survey = read_survey(tiny / "survey.toml")
+    kind = asdict(survey.unit)
+    assert all(epoch.settings["unit_types"] == [kind] for epoch in read_epochs(result))
+    twofold = tmp_path / "result.gpkg"
+    shutil.copy(result, twofold)
+    first = kind | {"name": "tetrapod 1 t", "height": 0.5 * kind["height"], "leg_length": 0.5 * kind["leg_length"]}
+    with closing(sqlite3.connect(twofold)) as connection, connection:
+        settings = json.dumps({"leg_length": first["leg_length"], "unit_types": [first, kind]})
+        connection.execute("UPDATE epochs SET settings = ?", (settings,))
+    counts = [write_labelled_tiles(survey, path, tmp_path / path.parent.name, Feedback())["points"] for path in (result, twofold)]
+    assert counts[0] == counts[1]
 
 
 def test_tiles_of_another_survey_are_refused(tiny: Path, result: Path, tmp_path: Path):

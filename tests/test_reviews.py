@@ -3,14 +3,28 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
 import sqlite3
 from contextlib import closing
+from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from synthetic_result import GRADIENT, HEIGHT, LEG_LENGTH, LEGS, RADIUS, write_points, write_result
-from tetratrack.core.displacement_rows import check_comparisons, read_details, read_epochs, read_unit_rows, series
+from tetratrack.core.displacement_rows import (
+    EpochInfo,
+    check_comparisons,
+    read_details,
+    read_epochs,
+    read_unit_rows,
+    series,
+    shape_of,
+    size_of,
+    unit_of,
+    unit_sizes,
+)
 from tetratrack.core.errors import InputError, OutputError
 from tetratrack.core.outline import PlacedShape, end_discs, reach, rotation_of_quaternion, section, silhouette
 from tetratrack.core.pose import Pose
@@ -159,7 +173,7 @@ def test_area_is_even_odd(result: Path) -> None:
 def test_series_and_checks_follow_from_the_rows(result: Path) -> None:
     units = {row.unit_id: row for row in read_unit_rows(result, PAIR, "stable")}
     moved = next(row for row in units.values() if row.kind == "moved")
-    details = read_details(result, moved.unit_id, LEG_LENGTH)
+    details = read_details(result, moved.unit_id, unit_sizes(read_epochs(result)))
     line = series(details, read_epochs(result), "stable")
     assert [point.epoch for point in line] == ["2023-04-09", "2024-04-09", "2025-04-09"]
     assert line[1].d_3d == pytest.approx(moved.d_3d)
@@ -209,6 +223,28 @@ def test_outlines_lie_on_the_surface_of_the_solid() -> None:
         assert np.linalg.norm(disc, axis=1).max() <= np.hypot(LEG_LENGTH, unit.end_radius) + 1e-9
 
 
+def test_every_type_of_unit_keeps_its_own_size() -> None:
+    def info(settings: dict[str, Any]) -> EpochInfo:
+        return EpochInfo("a", None, None, None, "", settings, {}, "")
+
+    def row(name: str, height: float) -> dict[str, Any]:
+        pose = {"geom": np.zeros(3), "qx": 0.0, "qy": 0.0, "qz": 0.0, "qw": 1.0}
+        return {"unit_type": name, "height": height, "r0": 0.26 * height, "gradient": 0.17} | pose
+
+    types = [UnitType.tetrapod(2.3, leg_length=1.5, name="tetrapod"), UnitType.tetrapod(1.6, leg_length=1.1, name="tetrapod")]
+    types += [UnitType.tetrapod(3.0, opening="paper", name="tetrapod 20 t")]
+    sizes = unit_sizes([info({}), info({"leg_length": 1.5, "unit": ["1", "2", "3"], "unit_types": [asdict(t) for t in types]})])
+    for kind in types:
+        shape, unit = shape_of(row(kind.name, kind.height), sizes), unit_of(row(kind.name, kind.height), sizes)
+        assert (shape.leg_length, unit.leg_length, unit.opening, unit.height) == (kind.leg_length,) * 2 + (kind.opening, kind.height)
+        np.testing.assert_allclose(shape.legs, kind.leg_directions, atol=1e-12)
+    # of a type that is not recorded, and in results of earlier versions with several types, the proportions are standard
+    earlier = unit_sizes([info({"leg_length": 1.5, "unit": ["1", "2"]})])
+    for known in (sizes, earlier):
+        assert size_of(row("tetrapod 8 t", 2.0), known).leg_length == pytest.approx(0.644 * 2.0)
+    assert size_of(row("tetrapod", 2.3), unit_sizes([info({"leg_length": 1.5, "unit": ["1"]})])).leg_length == 1.5
+
+
 def test_point_index_gives_exactly_the_points_of_a_cube(tmp_path: Path) -> None:
     rng = np.random.default_rng(2)
     corner = np.array([612_000.0, 3_456_000.0, 0.0])
@@ -230,12 +266,69 @@ def test_point_index_gives_exactly_the_points_of_a_cube(tmp_path: Path) -> None:
     assert index.read("b", centres[0] + 1000, 2.0).shape == (0, 3)
 
 
+def test_point_index_of_a_long_coast_keeps_all_points(tmp_path: Path) -> None:
+    """Tiles, and the sensor and its points, 300 km apart: more than 32 bits hold about one origin."""
+    rng = np.random.default_rng(5)
+    centres = np.array([[500_000.0, 4_000_000.0, 0.0], [500_200.0, 4_300_000.0, 5.0]])
+    clouds = [np.round(rng.uniform(-2, 2, (500, 3)), 3) + centre for centre in centres]
+    sensor = centres[0] + np.array([150.0, -150_000.0, 600.0])
+    tiles = [("a", "1", np.hstack([clouds[0], np.tile(sensor, (500, 1))])), ("b", "1", clouds[1])]
+    folder = tmp_path / "r.points"
+    assert write_index(folder, tiles, centres, 2.5, noise={"a": (0.02, 1e-4)}) == 1000
+    index = PointIndex(folder)
+    for label, cloud, centre in zip(("a", "b"), clouds, centres, strict=True):
+        found = index.read(label, centre, 3.0)
+        np.testing.assert_allclose(found[np.lexsort(found.round(3).T)], cloud[np.lexsort(cloud.T)], atol=1e-4)
+    np.testing.assert_allclose(index.read_with_sensors("a", centres[0], 3.0)[1], np.tile(sensor, (500, 1)), atol=1e-4)
+    farther = np.array([0, 200_000.0, 0])
+    both = np.vstack([clouds[0], clouds[1] + farther])
+    with pytest.raises(InputError, match=r"tile 7\.laz: points.* 250 km from the middle"):
+        write_index(folder, [("a", "tile 7.laz", both)], np.vstack([centres, centres + farther]), 2.5)
+    assert PointIndex(folder).epochs == ("a", "b"), "the index that was there stays"
+
+
 def test_missing_or_foreign_index_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no point index"):
         PointIndex(tmp_path)
-    (tmp_path / "index.json").write_text("[]", encoding="utf-8")
-    with pytest.raises(InputError, match="is no point index"):
+    for content in ("[]", "{", '{"version": 3}'):
+        (tmp_path / "index.json").write_text(content, encoding="utf-8")
+        with pytest.raises(InputError, match="is no point index"):
+            PointIndex(tmp_path)
+    (tmp_path / "index.json").write_text('{"version": 2, "origin": [0, 0, 0], "cell": 1.0, "epochs": {}}', encoding="utf-8")
+    with pytest.raises(InputError, match="of version 2, not 3"):
         PointIndex(tmp_path)
+
+
+def test_an_index_built_anew_is_taken_up_and_no_file_stays_open(tmp_path: Path) -> None:
+    folder, place = tmp_path / "r.points", np.array([100.0, 200.0, 3.0])
+    for tiles in (1, 2):
+        clouds = [("a", str(k), place + np.random.default_rng(k).uniform(-1, 1, (50, 3))) for k in range(tiles)]
+        write_index(folder, clouds, place[None], 2.0)
+        if tiles == 1:
+            index = PointIndex(folder)
+        assert len(index.read("a", place, 1.5)) == 50 * tiles
+    maps = Path("/proc/self/maps")
+    if maps.is_file():
+        assert str(folder) not in maps.read_text()
+    assert [p.name for p in tmp_path.iterdir()] == ["r.points"]
+
+
+def test_an_index_that_cannot_take_its_place_leaves_the_old_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder, place = tmp_path / "r.points", np.array([100.0, 200.0, 3.0])
+    write_index(folder, [("a", "1", place[None])], place[None], 2.0)
+    rename = os.replace
+
+    def locked(source: Path, target: Path) -> None:
+        if target == folder and not str(source).endswith(".old"):
+            raise PermissionError(13, "Access is denied")
+        rename(source, target)
+
+    monkeypatch.setattr(os, "replace", locked)
+    with pytest.raises(OutputError, match="Access is denied"):
+        write_index(folder, [("b", "1", place[None])], place[None], 2.0)
+    monkeypatch.undo()
+    assert PointIndex(folder).epochs == ("a",)
+    assert [p.name for p in tmp_path.iterdir()] == ["r.points"]
 
 
 def test_index_is_replaced_whole(tmp_path: Path) -> None:

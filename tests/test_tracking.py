@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
 from tetratrack.core.control import Transformation
 from tetratrack.core.displacement import grades_from
@@ -72,6 +73,15 @@ def tracked() -> tuple[Tracking, tuple[TrackedEpoch, ...], list[Pose], list[list
     return track(epochs, [UNIT], surroundings), epochs, poses, order
 
 
+def scattered(count: int) -> list[Pose]:
+    """Units in random orientation, well apart."""
+    rng = np.random.default_rng(8)
+    return [
+        Pose(np.array([3.2 * (k % 10), 3.2 * (k // 10), 0.2 * (k % 3)]), rotation)
+        for k, rotation in enumerate(Rotation.random(count, random_state=rng).as_matrix())
+    ]
+
+
 def of_unit(number: int) -> tuple[int, dict[int, Any]]:
     """Index in the result and states of a unit by its true number."""
     result, _, _, order = tracked()
@@ -123,6 +133,26 @@ def test_velocity_of_the_creeping_unit() -> None:
     assert np.allclose(centre.vector, CREEP, atol=0.004)
     quiet = [v[0] for k, v in result.velocities.items() if k not in (unit, of_unit(MOVED)[0])]
     assert max(np.linalg.norm(v.vector) for v in quiet) < 0.006
+
+
+def test_velocities_vary_as_they_say() -> None:
+    """Seventy quiet units in four epochs, their covariance understated by 3: normalised velocities have variance 1."""
+    rng = np.random.default_rng(3)
+    sds = np.repeat([0.006, 0.004], 3)
+    epochs = []
+    for number in range(4):
+        placed = Transformation(np.zeros(3), np.zeros(3), rng.normal(0, 0.004, 3), np.eye(3), 1.0, REGISTRATION)
+        errors = rng.normal(0, sds, (70, 6))
+        poses = [p.perturbed(e[:3] + placed.translation, e[3:]) for p, e in zip(scattered(70), errors, strict=True)]
+        units = tuple(FittedUnit(pose, UNIT, 0, True, ALL_DISCS, UnitCloud.none(), np.diag((sds / 3) ** 2)) for pose in poses)
+        epochs.append(TrackedEpoch(str(number), datetime(2020 + number, 1, 1, tzinfo=UTC), units, placed, 15))
+    velocities = track(epochs, [UNIT]).velocities
+    assert len(velocities) == 70
+    for feature in (0, 1, 4):
+        normalised = np.array([v[feature].vector / v[feature].sd for v in velocities.values()])
+        # 210 values: their mean square has a standard deviation of 0.1
+        assert 0.75 < np.mean(normalised**2) < 1.3
+        assert np.mean([v[feature].misfit_p_value < 0.05 for v in velocities.values()]) < 0.15
 
 
 def test_cross_checks_agree() -> None:

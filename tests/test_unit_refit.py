@@ -5,14 +5,15 @@ from __future__ import annotations
 import json
 import sqlite3
 from contextlib import closing
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import laspy
 import numpy as np
 import pytest
 from synthetic_result import GRADIENT, HEIGHT, LEG_LENGTH, ORIGIN, RADIUS, SRS, SyntheticUnit, make_units, write_points, write_result
-from tetratrack.core.control import Transformation
-from tetratrack.core.displacement_rows import read_details, read_unit_rows
+from tetratrack.core.control import Transformation, transformation_of
+from tetratrack.core.displacement_rows import read_details, read_epochs, read_unit_rows
 from tetratrack.core.errors import InputError
 from tetratrack.core.gauss_helmert import beam_covariances
 from tetratrack.core.outline import rotation_of_quaternion
@@ -22,7 +23,7 @@ from tetratrack.core.survey import read_survey
 from tetratrack.core.tetrapod import sample_surface
 from tetratrack.core.unit_edits import NewPose, read_edits, set_pose
 from tetratrack.core.unit_points import PointIndex, index_folder, write_index
-from tetratrack.core.unit_refit import index_unit_points, refit_unit, transformation_of
+from tetratrack.core.unit_refit import index_unit_points, refit_unit
 from tetratrack.core.unit_types import UnitType
 from tetratrack.core.workflow import Feedback
 
@@ -52,6 +53,63 @@ def test_refit_finds_the_unit_under_the_click_and_carries_its_displacement(tmp_p
     unit_row = next(r for r in read_layer_rows(path, "units") if r["unit_id"] == unit.unit_id and r["epoch"] == pair.epoch_to)
     assert 0.002 <= unit_row["sd_e"] < 0.02
     assert [(edit.kind, edit.editor) for edit in read_edits(path)] == [("pose", "A"), ("pose", "B")]
+
+
+def test_refit_takes_the_size_of_the_units_own_type(tmp_path: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    units = write_result(path, epochs=2, units=stable_units(3))
+    write_points(path, units, 2, per_unit=2000)
+    own = UnitType.tetrapod(HEIGHT, radius=RADIUS, gradient=GRADIENT, leg_length=LEG_LENGTH)
+    other = UnitType.tetrapod(2 * HEIGHT, name="tetrapod 64 t")
+
+    def record(*types: UnitType) -> None:
+        settings = json.dumps({"leg_length": types[0].leg_length, "unit_types": [asdict(kind) for kind in types]})
+        with closing(sqlite3.connect(path)) as connection, connection:
+            connection.execute("UPDATE epochs SET settings = ?", (settings,))
+
+    record(other, own)
+    refit_unit(path, units[1].unit_id, "2024-04-09", units[1].centres[1], editor="A")
+    shape = read_details(path, units[1].unit_id).shapes["2024-04-09"]
+    assert np.linalg.norm(shape.centre - units[1].centres[1]) < 0.005
+    record(other, replace(own, opening="paper"))
+    with pytest.raises(InputError, match="opening 'paper'"):
+        refit_unit(path, units[1].unit_id, "2024-04-09", units[1].centres[1], editor="A")
+
+
+def test_refit_states_standard_deviations_as_the_run_does(tmp_path: Path) -> None:
+    """Calibrated by the epoch pairs, with registration and the mean offset of the strips, each as recorded."""
+    path = tmp_path / "result.gpkg"
+    units = write_result(path, epochs=2, units=stable_units(2))
+    write_points(path, units, 2, per_unit=2000)
+    unit, label = units[1], "2024-04-09"
+
+    def variances() -> np.ndarray:
+        refit_unit(path, unit.unit_id, label, unit.centres[1], editor="A")
+        row = next(r for r in read_layer_rows(path, "units") if r["unit_id"] == unit.unit_id and r["epoch"] == label)
+        return np.array([row["sd_e"], row["sd_n"], row["sd_h"], np.radians(row["sd_rotation_deg"])]) ** 2
+
+    registered = read_epochs(path)[1].transformation
+    offsets = np.array([[0.02, -0.01, 0.01], [-0.01, 0.02, 0.0], [-0.01, -0.01, -0.01]])
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE epochs SET transformation = NULL")
+    adjusted = variances()
+    calibration = "UPDATE epoch_pairs SET covariance_factor = 3, covariance_floor = 0.004, rotation_factor = ?, rotation_floor_deg = ?"
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute(calibration, (2.0, 0.1))
+    calibrated = np.append(9 * adjusted[:3] + 0.5 * 0.004**2, 4 * adjusted[3] + 3 * 0.5 * np.radians(0.1) ** 2)
+    np.testing.assert_allclose(variances(), calibrated, rtol=1e-9)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        settings = json.dumps({"leg_length": LEG_LENGTH, "source_offsets_m": dict(enumerate(offsets.tolist()))})
+        connection.execute("UPDATE epochs SET transformation = ?, settings = ?", (json.dumps(registered), settings))
+    common = np.append(np.diag(registered["covariance"])[:3] + np.sum(offsets**2) / 3 / 2 / 3, 3e-8)
+    arm = np.linalg.norm(unit.centres[1] - ORIGIN)
+    found = variances()
+    assert np.all(found >= calibrated + common - 1e-12)
+    assert np.all(found <= calibrated + common + np.append(np.full(3, 1e-8 * arm**2 * 1.1), 1e-12))
+    # earlier versions record no calibration of rotations: that of positions stands for it
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute(calibration, (None, None))
+    assert variances()[3] == pytest.approx(9 * adjusted[3] + common[3])
 
 
 def test_click_beside_every_unit_changes_nothing(tmp_path: Path) -> None:
