@@ -23,7 +23,7 @@ from .unit_types import UnitType
 
 if TYPE_CHECKING:
     from .control import Registration
-    from .result_rows import EpochPlan
+    from .epoch_plans import EpochPlan
     from .survey import Survey
 
 FloatArray = NDArray[np.float64]

@@ -13,7 +13,9 @@ from numpy.typing import NDArray
 from .aggregation import assign
 from .crs import tile_transform
 from .displacement_rows import leg_length_of
+from .epoch_plans import plan_survey
 from .errors import InputError, OutputError
+from .feedback import Feedback
 from .geopackage import replace_durably, temporary_beside
 from .pose import Pose
 from .result_tables import Row, read_layer_rows
@@ -21,7 +23,6 @@ from .survey import Survey
 from .tiles import TileInfo, tile_chunks, tile_crs
 from .unit_refit import epochs_of, transformation_of
 from .unit_types import UnitType
-from .workflow import Feedback, plan_survey
 
 FloatArray = NDArray[np.float64]
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from .feedback import Feedback
 from .pose import Pose
 from .unit_types import UnitType
 from .verification import overlap
@@ -88,6 +89,26 @@ def kinds_of(rows: Iterable[Mapping[str, Any]], units: Sequence[UnitType]) -> ND
     """(k,) index of the type of each row of the layer ``units``."""
     number = {unit.name: k for k, unit in enumerate(units)}
     return np.array([number[row["unit_type"]] for row in rows], dtype=np.int64)
+
+
+def state_quality(
+    rows: Sequence[dict[str, Any]],
+    units: Sequence[UnitType],
+    labels: Sequence[str],
+    feedback: Feedback,
+    gaps: Sequence[Mapping[str, Any]] | None = None,
+) -> dict[str, dict[str, Any]]:
+    """Fill what rows of ``units`` say of their neighbours, log each epoch's summary, and return the summaries by label.
+
+    ``gaps`` are the rows of that layer, None where gaps were not looked for.
+    """
+    add_neighbours(rows, units)
+    summaries = {}
+    for label in labels:
+        count = None if gaps is None else sum(row["epoch"] == label for row in gaps)
+        summaries[label] = summarise_epoch([row for row in rows if row["epoch"] == label], count)
+        feedback.info(describe(label, summaries[label]))
+    return summaries
 
 
 def add_neighbours(rows: Sequence[Row], units: Sequence[UnitType]) -> None:

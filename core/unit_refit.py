@@ -14,7 +14,9 @@ from scipy.spatial.transform import Rotation
 from .block_jobs import ROUGHNESS_RATIO
 from .control import Transformation
 from .displacement_rows import EpochInfo, leg_length_of, read_epochs
+from .epoch_plans import plan_survey
 from .errors import InputError
+from .feedback import Feedback
 from .gauss_helmert import AdjustmentOptions, adjust
 from .pose import Pose
 from .result_tables import read_layer_rows
@@ -25,7 +27,6 @@ from .trajectory import noise_of, surface_covariances
 from .unit_edits import NewPose, set_pose
 from .unit_points import PointIndex, index_folder, write_index
 from .unit_types import UnitType
-from .workflow import Feedback, plan_survey
 
 FloatArray = NDArray[np.float64]
 
