@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from .errors import InputError
 from .pose import Pose
@@ -184,7 +183,8 @@ class FitJob:
                     leg = int(np.argmax(np.bincount(result.legs[used])))
                     # the few points that chance puts on the other legs would settle a twist that nothing shows
                     kept = result.legs == leg
-                    pose = twisted_as(pose, _pose(table["poses"][k]), unit.leg_directions[leg])
+                    # its twist was settled by the room among its neighbours; its points only let it drift
+                    pose = pose.twisted_as(_pose(table["poses"][k]), unit.leg_directions[leg])
                 table["poses"][k] = _row(pose)
                 table["shape"][k] = result.radius, result.gradient
                 table["covariance"][k] = result.covariance
@@ -235,17 +235,6 @@ def adjusted_nearby(
         if np.linalg.norm(result.pose.centre - pose.centre) < NEARBY_HEIGHTS * unit.height:
             return result
     raise InputError("no adjustment stays near the pose that was found", remedy="Check the points of the unit.")
-
-
-def twisted_as(pose: Pose, known: Pose, axis: FloatArray) -> Pose:
-    """The pose turned about a leg's (3,) axis, body frame, so that its twist about it is that of the known pose.
-
-    The twist of a unit of which one leg shows is settled by the room among its neighbours; its points only let it drift.
-    """
-    along = pose.rotation @ axis
-    x, y, z, w = Rotation.from_matrix(known.rotation @ pose.rotation.T).as_quat()
-    twist = 2 * np.arctan2(np.dot([x, y, z], along), w)
-    return Pose(pose.centre, Rotation.from_rotvec(twist * along).as_matrix() @ pose.rotation)
 
 
 SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported")
