@@ -137,7 +137,11 @@ class FitJob:
         return f"fit-{job_key('fit', settings, inputs)}.npz"
 
     def run(self) -> Arrays:
-        """Arrays of the units with their adjustment, points included."""
+        """Arrays of the units with their adjustment, points included.
+
+        ``source_ids[source_offsets[i]:source_offsets[i + 1]]`` are the strips or stations that see unit i, ascending, so that nobody
+        reads its points to know them.
+        """
         from .feature_points import TRIPLES, body_features
         from .gauss_helmert import AdjustmentOptions
 
@@ -159,7 +163,7 @@ class FitJob:
             "converged": np.zeros(count, dtype=np.bool_),
             "determined": np.zeros(count, dtype=np.bool_),
         }
-        parts, sources, sizes = [], [], []
+        parts, sources = [], []
         for k, row in enumerate(self.rows):
             own = slice(source["offsets"][row], source["offsets"][row + 1])
             points = source["points"][own]
@@ -204,12 +208,14 @@ class FitJob:
                 table["discs"][k] = np.bincount(on_disc[on_disc >= 0], minlength=4) > 0
             parts.append(points[kept])
             sources.append(source["sources"][own][kept])
-            sizes.append(int(kept.sum()))
+        ids = [np.unique(own) for own in sources]
         return table | {
             "origin": source["origin"],
             "points": np.concatenate(parts) if parts else np.empty((0, 3)),
             "sources": np.concatenate(sources) if sources else np.empty(0, np.uint16),
-            "offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
+            "offsets": _offsets([len(own) for own in sources]),
+            "source_ids": np.concatenate(ids) if ids else np.empty(0, np.uint16),
+            "source_offsets": _offsets([len(own) for own in ids]),
         }
 
 
@@ -241,6 +247,8 @@ SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status
 """Arrays of a block's units before adjustment, one row per unit."""
 POINT_ARRAYS = ("points", "sources", "times")
 """Arrays of a job with one row per point; all others are small."""
+BLOCK_ARRAYS = ("origin", "offsets", "source_ids", "source_offsets")
+"""Arrays of a job that have a row neither per unit nor per point."""
 
 
 def unit_arrays(
@@ -279,7 +287,7 @@ def unit_arrays(
         "points": cloud.xyz[mine],
         "sources": cloud.source_id[mine],
         **({"times": cloud.gps_time[mine]} if timed else {}),
-        "offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
+        "offsets": _offsets(sizes),
     }
 
 
@@ -446,6 +454,11 @@ def _table(
         "misfit": np.array(misfits, dtype=np.float64),
         "supported": np.array(supported, dtype=np.float64),
     }
+
+
+def _offsets(sizes: Sequence[int] | IntArray) -> IntArray:
+    """(k + 1,) where each of k parts of the given sizes begins in the array of all, and where the last one ends."""
+    return np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
 
 
 def _median_distance(points: FloatArray, pose: Pose, unit: UnitType) -> float:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .block_jobs import GRADIENT_TOLERANCE, POINT_ARRAYS, RADIUS_TOLERANCE, FitJob, SegmentJob, covariances_of, owners
+from .block_jobs import BLOCK_ARRAYS, GRADIENT_TOLERANCE, POINT_ARRAYS, RADIUS_TOLERANCE, FitJob, SegmentJob, covariances_of, owners
 from .calibration import CALIBRATION_UNITS, calibrate
 from .epoch_plans import EpochPlan
 from .feedback import Feedback
@@ -76,11 +76,20 @@ class EpochUnits:
 
         return read
 
-    def points(self) -> Iterator[tuple[int, FloatArray, NDArray[np.uint16]]]:
-        """Row, (n, 3) absolute points and (n,) source ids of every unit, file by file."""
+    def points(self) -> Iterator[tuple[int, FloatArray]]:
+        """Row and (n, 3) absolute points of every unit, file by file."""
         read = self.reader()
         for row in np.argsort(self.places[:, 0], kind="stable"):
-            yield int(row), *read(int(row))
+            yield int(row), read(int(row))[0]
+
+    def source_ids(self) -> Iterator[tuple[int, NDArray[np.uint16]]]:
+        """Row, and ids of the strips or stations that see it, of every unit once it is adjusted, file by file; no points are read."""
+        for number, path in enumerate(self.files):
+            arrays = loaded_arrays(path, without=POINT_ARRAYS)
+            starts = arrays["source_offsets"]
+            for row in np.flatnonzero(self.places[:, 0] == number):
+                place = self.places[row, 1]
+                yield int(row), arrays["source_ids"][starts[place] : starts[place + 1]]
 
     def covariances(self, beams: BeamNoise) -> Callable[[int], FloatArray]:
         """Reads (n, 3, 3) covariances of a unit's points by its row, in the order of :meth:`reader`'s points; square metres.
@@ -203,7 +212,7 @@ def calibrate_shapes(
         for epoch in epochs:
             beams = noise_of(epoch.plan.epoch, record.checksums.__getitem__)
             covariances = epoch.covariances(beams) if beams is not None else None
-            for row, points, _ in epoch.points():
+            for row, points in epoch.points():
                 feedback.check()
                 # a shape that is wrong yet weakens the evidence of good units: what is no unit shows as an outlier instead
                 if int(epoch.table["type"][row]) != kind:
@@ -284,8 +293,8 @@ def _collected(
     units: tuple[UnitType, ...],
 ) -> EpochUnits:
     """Units of all blocks in one table, poses absolute, ordered by easting and northing."""
-    skip = {"origin", "offsets"}
-    table = {name: np.concatenate([a[name][r] for a, r in zip(arrays, rows, strict=True)]) for name in arrays[0] if name not in skip}
+    columns = [name for name in arrays[0] if name not in BLOCK_ARRAYS]
+    table = {name: np.concatenate([a[name][r] for a, r in zip(arrays, rows, strict=True)]) for name in columns}
     table["poses"] = table["poses"].copy()
     table["poses"][:, :3] += np.concatenate([np.tile(a["origin"], (len(r), 1)) for a, r in zip(arrays, rows, strict=True)])
     places = np.concatenate([np.column_stack([np.full(len(r), k), r]) for k, r in enumerate(rows)]).astype(np.int64)

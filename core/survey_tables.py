@@ -94,15 +94,15 @@ def _tracked_epoch(
     turn = np.kron(np.eye(2), transformation.rotation)
     points_of = epoch.reader()
 
-    def cloud(row: int, sources: NDArray[np.uint16]) -> UnitCloud:
+    def cloud(row: int, ids: NDArray[np.uint16]) -> UnitCloud:
         def read() -> tuple[FloatArray, NDArray[np.uint16]]:
             points, sources = points_of(row)
             return transformation.apply(points) - origin, sources
 
-        return UnitCloud(len(sources), np.unique(sources), read, (number, int(epoch.places[row, 0])))
+        return UnitCloud(ids, read, (number, int(epoch.places[row, 0])))
 
     found: dict[int, FittedUnit] = {}
-    for row, _, sources in epoch.points():
+    for row, ids in epoch.source_ids():
         pose = transformation.apply_pose(epoch.pose(row)).shifted(-origin)
         kind = int(table["type"][row])
         certain = table["status"][row] == "found"
@@ -110,7 +110,7 @@ def _tracked_epoch(
         own = table["covariance"][row][:6, :6]
         covariance = turn @ own @ turn.T if np.isfinite(own).all() else None
         n_points = int(table["n_points"][row])
-        found[row] = FittedUnit(pose, units[kind], kind, certain, table["discs"][row], cloud(row, sources), covariance, score, n_points)
+        found[row] = FittedUnit(pose, units[kind], kind, certain, table["discs"][row], cloud(row, ids), covariance, score, n_points)
     return TrackedEpoch(
         epoch.plan.epoch.label,
         epoch.plan.epoch.time,

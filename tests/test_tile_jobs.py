@@ -214,7 +214,7 @@ def test_points_that_chance_puts_on_hidden_legs_do_not_settle_a_twist(tmp_path: 
             "poses": np.concatenate([pose.centre, pose.rotation.ravel()])[None],
             "origin": np.zeros(3),
             "points": cloud,
-            "sources": np.ones(len(cloud), dtype=np.uint16),
+            "sources": np.where(cloud[:, 0] < np.median(cloud[:, 0]), 7, 3).astype(np.uint16),
             "offsets": np.array([0, len(cloud)]),
         },
     )
@@ -226,3 +226,5 @@ def test_points_that_chance_puts_on_hidden_legs_do_not_settle_a_twist(tmp_path: 
     assert (np.argmax(kept @ unit.leg_directions.T, axis=1) == 1).all()
     assert fitted["offsets"].tolist() == [0, len(kept)]
     assert len(fitted["sources"]) == len(kept)
+    assert fitted["source_ids"].tolist() == [3, 7]
+    assert fitted["source_offsets"].tolist() == [0, 2]
