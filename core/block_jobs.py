@@ -315,41 +315,6 @@ def covariances_of(arrays: Mapping[str, NDArray[Any]], own: slice, beams: BeamNo
     return beams.covariances(points, arrays["origin"], arrays["sources"][own], times, ROUGHNESS_RATIO * unit.height)
 
 
-def owners(blocks: Sequence[tuple[Window, Mapping[str, NDArray[Any]]]], heights: Sequence[float]) -> list[IntArray]:
-    """Rows of every block's units that are that block's own, so that a unit found by two blocks is kept once.
-
-    A unit belongs to the block whose core its centre lies in. One that its neighbour alone has found is kept too.
-
-    Parameters
-    ----------
-    blocks
-        Core and arrays of each block, in a fixed order.
-    heights
-        Nominal height of each type of unit, metres.
-    """
-    from scipy.spatial import cKDTree
-
-    centres = [arrays["poses"][:, :3] + arrays["origin"] for _, arrays in blocks]
-    count = [len(c) for c in centres]
-    if not sum(count):
-        return [np.empty(0, dtype=np.int64) for _ in blocks]
-    place = np.concatenate(centres)
-    block = np.repeat(np.arange(len(blocks)), count)
-    own = np.concatenate([core.contains(c) for (core, _), c in zip(blocks, centres, strict=True)])
-    height = np.array(heights)[np.concatenate([arrays["type"] for _, arrays in blocks])]
-    score = np.concatenate([arrays["score"] for _, arrays in blocks])
-    keep = np.ones(len(place), dtype=np.bool_)
-    pairs = cKDTree(place - place.mean(axis=0)).query_pairs(SAME_UNIT_HEIGHTS * float(height.max()), output_type="ndarray")
-    for i, j in pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]:
-        near = np.linalg.norm(place[i] - place[j]) < SAME_UNIT_HEIGHTS * max(height[i], height[j])
-        if not near or block[i] == block[j] or not (keep[i] and keep[j]):
-            continue
-        better = (bool(own[i]), float(score[i]), -int(block[i])) > (bool(own[j]), float(score[j]), -int(block[j]))
-        keep[j if better else i] = False
-    starts = np.concatenate([[0], np.cumsum(count)])
-    return [np.flatnonzero(keep[starts[k] : starts[k + 1]]) for k in range(len(blocks))]
-
-
 def _found(cloud: PointCloud, number: int, unit: SurveyUnit, seed: int) -> tuple[dict[str, NDArray[Any]], IntArray]:
     from .segmentation import segment
 

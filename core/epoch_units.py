@@ -9,8 +9,18 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
-from .block_jobs import BLOCK_ARRAYS, GRADIENT_TOLERANCE, POINT_ARRAYS, RADIUS_TOLERANCE, FitJob, SegmentJob, covariances_of, owners
+from .block_jobs import (
+    BLOCK_ARRAYS,
+    GRADIENT_TOLERANCE,
+    POINT_ARRAYS,
+    RADIUS_TOLERANCE,
+    SAME_UNIT_HEIGHTS,
+    FitJob,
+    SegmentJob,
+    covariances_of,
+)
 from .calibration import CALIBRATION_UNITS, calibrate
 from .epoch_plans import EpochPlan
 from .feedback import Feedback
@@ -20,10 +30,12 @@ from .run_record import RunRecord
 from .segmentation import MOST_INTERPENETRATION
 from .survey import Survey
 from .tile_jobs import JobRunner, loaded_arrays
+from .tiles import Window
 from .trajectory import BeamNoise, noise_of
 from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +58,7 @@ class EpochUnits:
 
     plan: EpochPlan
     table: Mapping[str, NDArray[Any]]
-    places: NDArray[np.int64]
+    places: IntArray
     files: tuple[Path, ...]
     units: tuple[UnitType, ...]
 
@@ -191,6 +203,39 @@ def segment_epochs(
     return tuple(result)
 
 
+def owners(blocks: Sequence[tuple[Window, Mapping[str, NDArray[Any]]]], heights: Sequence[float]) -> list[IntArray]:
+    """Rows of every block's units that are that block's own, so that a unit found by two blocks is kept once.
+
+    A unit belongs to the block whose core its centre lies in. One that its neighbour alone has found is kept too.
+
+    Parameters
+    ----------
+    blocks
+        Core and arrays of each block, in a fixed order.
+    heights
+        Nominal height of each type of unit, metres.
+    """
+    centres = [arrays["poses"][:, :3] + arrays["origin"] for _, arrays in blocks]
+    count = [len(c) for c in centres]
+    if not sum(count):
+        return [np.empty(0, dtype=np.int64) for _ in blocks]
+    place = np.concatenate(centres)
+    block = np.repeat(np.arange(len(blocks)), count)
+    own = np.concatenate([core.contains(c) for (core, _), c in zip(blocks, centres, strict=True)])
+    height = np.array(heights)[np.concatenate([arrays["type"] for _, arrays in blocks])]
+    score = np.concatenate([arrays["score"] for _, arrays in blocks])
+    keep = np.ones(len(place), dtype=np.bool_)
+    pairs = cKDTree(place - place.mean(axis=0)).query_pairs(SAME_UNIT_HEIGHTS * float(height.max()), output_type="ndarray")
+    for i, j in pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]:
+        near = np.linalg.norm(place[i] - place[j]) < SAME_UNIT_HEIGHTS * max(height[i], height[j])
+        if not near or block[i] == block[j] or not (keep[i] and keep[j]):
+            continue
+        better = (bool(own[i]), float(score[i]), -int(block[i])) > (bool(own[j]), float(score[j]), -int(block[j]))
+        keep[j if better else i] = False
+    starts = np.concatenate([[0], np.cumsum(count)])
+    return [np.flatnonzero(keep[starts[k] : starts[k + 1]]) for k in range(len(blocks))]
+
+
 def calibrate_shapes(
     survey: Survey, epochs: Sequence[EpochUnits], shape_sds: tuple[tuple[float, float], ...], record: RunRecord, feedback: Feedback
 ) -> tuple[Survey, tuple[tuple[float, float], ...], dict[str, Any]]:
@@ -288,7 +333,7 @@ def _solid(epoch: EpochUnits) -> EpochUnits:
 def _collected(
     plan: EpochPlan,
     arrays: Sequence[Mapping[str, NDArray[Any]]],
-    rows: Sequence[NDArray[np.int64]],
+    rows: Sequence[IntArray],
     files: tuple[Path, ...],
     units: tuple[UnitType, ...],
 ) -> EpochUnits:

@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from tetratrack.core.block_jobs import FitJob, adjusted_nearby, owners
+from tetratrack.core.block_jobs import FitJob, adjusted_nearby
+from tetratrack.core.epoch_units import owners
 from tetratrack.core.errors import Cancelled, InputError, OutputError, TetratrackError
 from tetratrack.core.gauss_helmert import AdjustmentOptions, adjust
 from tetratrack.core.pose import Pose
