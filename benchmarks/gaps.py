@@ -21,13 +21,15 @@ from typing import Any
 import numpy as np
 from ground_truth import CENTRE_TOLERANCE, unit_rows
 from numpy.typing import NDArray
+from tetratrack.core.epoch_plans import plan_survey
+from tetratrack.core.epoch_registration import register_epochs
+from tetratrack.core.feedback import Feedback
 from tetratrack.core.gap_rows import gap_rows, look_into_tiles
 from tetratrack.core.quality import ACCEPTED
 from tetratrack.core.result_tables import read_layer_rows
 from tetratrack.core.run_record import record_run
 from tetratrack.core.survey import read_survey
 from tetratrack.core.tile_jobs import JobRunner
-from tetratrack.core.workflow import Feedback, plan_survey, register_epochs
 
 FloatArray = NDArray[np.float64]
 NEAR = 0.5

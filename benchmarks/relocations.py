@@ -22,10 +22,12 @@ import numpy as np
 from ground_truth import CENTRE_TOLERANCE, unit_rows
 from scipy.spatial import cKDTree
 from tetratrack.core.armour_pile import Changes
+from tetratrack.core.feedback import Feedback
 from tetratrack.core.result_tables import read_layer_rows
+from tetratrack.core.run_options import RunOptions
 from tetratrack.core.survey import read_survey
 from tetratrack.core.virtual_survey import SimulationPlan, simulate_survey
-from tetratrack.core.workflow import Feedback, RunOptions, run_survey
+from tetratrack.core.workflow import run_survey
 
 CHANGES = Changes(moved=6, removed=3, new=2, relocated=3)
 COUNTS = ("relocated", "found in both epochs", "named relocated", "lost and new, candidates named", "other")

@@ -23,9 +23,9 @@ from typing import Any
 
 import laspy
 import numpy as np
+from tetratrack.core.epoch_plans import plan_survey
 from tetratrack.core.survey import read_survey
 from tetratrack.core.virtual_survey import SimulationPlan, simulate_survey
-from tetratrack.core.workflow import plan_survey
 
 UNITS_PER_TILE = 50
 

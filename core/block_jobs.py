@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from .errors import InputError
 from .pose import Pose
@@ -138,7 +137,11 @@ class FitJob:
         return f"fit-{job_key('fit', settings, inputs)}.npz"
 
     def run(self) -> Arrays:
-        """Arrays of the units with their adjustment, points included."""
+        """Arrays of the units with their adjustment, points included.
+
+        ``source_ids[source_offsets[i]:source_offsets[i + 1]]`` are the strips or stations that see unit i, ascending, so that nobody
+        reads its points to know them.
+        """
         from .feature_points import TRIPLES, body_features
         from .gauss_helmert import AdjustmentOptions
 
@@ -160,7 +163,7 @@ class FitJob:
             "converged": np.zeros(count, dtype=np.bool_),
             "determined": np.zeros(count, dtype=np.bool_),
         }
-        parts, sources, sizes = [], [], []
+        parts, sources = [], []
         for k, row in enumerate(self.rows):
             own = slice(source["offsets"][row], source["offsets"][row + 1])
             points = source["points"][own]
@@ -184,7 +187,8 @@ class FitJob:
                     leg = int(np.argmax(np.bincount(result.legs[used])))
                     # the few points that chance puts on the other legs would settle a twist that nothing shows
                     kept = result.legs == leg
-                    pose = twisted_as(pose, _pose(table["poses"][k]), unit.leg_directions[leg])
+                    # its twist was settled by the room among its neighbours; its points only let it drift
+                    pose = pose.twisted_as(_pose(table["poses"][k]), unit.leg_directions[leg])
                 table["poses"][k] = _row(pose)
                 table["shape"][k] = result.radius, result.gradient
                 table["covariance"][k] = result.covariance
@@ -204,12 +208,14 @@ class FitJob:
                 table["discs"][k] = np.bincount(on_disc[on_disc >= 0], minlength=4) > 0
             parts.append(points[kept])
             sources.append(source["sources"][own][kept])
-            sizes.append(int(kept.sum()))
+        ids = [np.unique(own) for own in sources]
         return table | {
             "origin": source["origin"],
             "points": np.concatenate(parts) if parts else np.empty((0, 3)),
             "sources": np.concatenate(sources) if sources else np.empty(0, np.uint16),
-            "offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
+            "offsets": _offsets([len(own) for own in sources]),
+            "source_ids": np.concatenate(ids) if ids else np.empty(0, np.uint16),
+            "source_offsets": _offsets([len(own) for own in ids]),
         }
 
 
@@ -237,21 +243,12 @@ def adjusted_nearby(
     raise InputError("no adjustment stays near the pose that was found", remedy="Check the points of the unit.")
 
 
-def twisted_as(pose: Pose, known: Pose, axis: FloatArray) -> Pose:
-    """The pose turned about a leg's (3,) axis, body frame, so that its twist about it is that of the known pose.
-
-    The twist of a unit of which one leg shows is settled by the room among its neighbours; its points only let it drift.
-    """
-    along = pose.rotation @ axis
-    x, y, z, w = Rotation.from_matrix(known.rotation @ pose.rotation.T).as_quat()
-    twist = 2 * np.arctan2(np.dot([x, y, z], along), w)
-    return Pose(pose.centre, Rotation.from_rotvec(twist * along).as_matrix() @ pose.rotation)
-
-
 SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported")
 """Arrays of a block's units before adjustment, one row per unit."""
 POINT_ARRAYS = ("points", "sources", "times")
 """Arrays of a job with one row per point; all others are small."""
+BLOCK_ARRAYS = ("origin", "offsets", "source_ids", "source_offsets")
+"""Arrays of a job that have a row neither per unit nor per point."""
 
 
 def unit_arrays(
@@ -290,7 +287,7 @@ def unit_arrays(
         "points": cloud.xyz[mine],
         "sources": cloud.source_id[mine],
         **({"times": cloud.gps_time[mine]} if timed else {}),
-        "offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
+        "offsets": _offsets(sizes),
     }
 
 
@@ -316,41 +313,6 @@ def covariances_of(arrays: Mapping[str, NDArray[Any]], own: slice, beams: BeamNo
     points = arrays["points"][own]
     times = arrays["times"][own] if "times" in arrays else np.zeros(len(points))
     return beams.covariances(points, arrays["origin"], arrays["sources"][own], times, ROUGHNESS_RATIO * unit.height)
-
-
-def owners(blocks: Sequence[tuple[Window, Mapping[str, NDArray[Any]]]], heights: Sequence[float]) -> list[IntArray]:
-    """Rows of every block's units that are that block's own, so that a unit found by two blocks is kept once.
-
-    A unit belongs to the block whose core its centre lies in. One that its neighbour alone has found is kept too.
-
-    Parameters
-    ----------
-    blocks
-        Core and arrays of each block, in a fixed order.
-    heights
-        Nominal height of each type of unit, metres.
-    """
-    from scipy.spatial import cKDTree
-
-    centres = [arrays["poses"][:, :3] + arrays["origin"] for _, arrays in blocks]
-    count = [len(c) for c in centres]
-    if not sum(count):
-        return [np.empty(0, dtype=np.int64) for _ in blocks]
-    place = np.concatenate(centres)
-    block = np.repeat(np.arange(len(blocks)), count)
-    own = np.concatenate([core.contains(c) for (core, _), c in zip(blocks, centres, strict=True)])
-    height = np.array(heights)[np.concatenate([arrays["type"] for _, arrays in blocks])]
-    score = np.concatenate([arrays["score"] for _, arrays in blocks])
-    keep = np.ones(len(place), dtype=np.bool_)
-    pairs = cKDTree(place - place.mean(axis=0)).query_pairs(SAME_UNIT_HEIGHTS * float(height.max()), output_type="ndarray")
-    for i, j in pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]:
-        near = np.linalg.norm(place[i] - place[j]) < SAME_UNIT_HEIGHTS * max(height[i], height[j])
-        if not near or block[i] == block[j] or not (keep[i] and keep[j]):
-            continue
-        better = (bool(own[i]), float(score[i]), -int(block[i])) > (bool(own[j]), float(score[j]), -int(block[j]))
-        keep[j if better else i] = False
-    starts = np.concatenate([[0], np.cumsum(count)])
-    return [np.flatnonzero(keep[starts[k] : starts[k + 1]]) for k in range(len(blocks))]
 
 
 def _found(cloud: PointCloud, number: int, unit: SurveyUnit, seed: int) -> tuple[dict[str, NDArray[Any]], IntArray]:
@@ -457,6 +419,11 @@ def _table(
         "misfit": np.array(misfits, dtype=np.float64),
         "supported": np.array(supported, dtype=np.float64),
     }
+
+
+def _offsets(sizes: Sequence[int] | IntArray) -> IntArray:
+    """(k + 1,) where each of k parts of the given sizes begins in the array of all, and where the last one ends."""
+    return np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
 
 
 def _median_distance(points: FloatArray, pose: Pose, unit: UnitType) -> float:

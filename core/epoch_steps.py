@@ -16,17 +16,18 @@ from numpy.typing import NDArray
 from .control import Transformation
 from .displacement import grades_from
 from .errors import InputError
+from .feedback import Feedback
 from .fitted_unit import FittedUnit
 from .gap_rows import gap_rows
-from .geopackage import check_output, from_upper_triangle, replace_durably, temporary_beside
+from .geopackage import check_output, from_upper_triangle, replace_durably, temporary_beside, write_result
 from .pose import Pose
-from .result_rows import covariance_fields, feature_rows
+from .quality import state_quality
 from .survey import SECTIONS
 from .tracking import TrackedEpoch, track
 from .tracking_tables import TableOptions, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
 from .unit_clouds import UnitCloud
+from .unit_layer import crs_of_layer, read_units
 from .unit_types import UnitType
-from .workflow import Feedback, crs_of_layer, read_units, state_quality, write_result
 
 if TYPE_CHECKING:
     import laspy
@@ -87,7 +88,7 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
         known = fits[labels[epoch]][row]
         return {name: known.get(name) for name in FROM_FIT}
 
-    unit_rows, points = unit_tables(result, epochs, types, names, origin, from_fit, feature_rows, covariance_fields)
+    unit_rows, points = unit_tables(result, epochs, types, names, origin, from_fit)
     moved, other = displacement_rows(result, epochs, types, names, options)
     feedback.check()
     gaps = gap_rows(unit_rows, [(epoch.label, epoch.time) for epoch in epochs], types)

@@ -15,7 +15,7 @@ from scipy.spatial import cKDTree
 
 from .control import Transformation
 from .gaps import Armour, Gap, armour_of, clearest, find_gaps
-from .quality import ACCEPTED, CLOSEST_HEIGHTS, REACH_HEIGHTS, kinds_of, pose_table
+from .quality import ACCEPTED, CLOSEST_HEIGHTS, REACH_HEIGHTS, kinds_of, placed_rows, pose_table
 from .schema import PLACEHOLDER
 from .tile_jobs import Arrays, Block, JobRunner, job_key, loaded_arrays
 from .tiles import read_points
@@ -23,7 +23,7 @@ from .unit_types import UnitType
 
 if TYPE_CHECKING:
     from .control import Registration
-    from .result_rows import EpochPlan
+    from .epoch_plans import EpochPlan
     from .survey import Survey
 
 FloatArray = NDArray[np.float64]
@@ -121,7 +121,7 @@ def look_into_tiles(
     jobs: list[tuple[str, GapJob]] = []
     for plan in plans:
         label = plan.epoch.label
-        placed = _placed(rows, label)
+        placed = placed_rows(rows, label)
         poses = pose_table(placed)
         origin: FloatArray = np.round(poses[:, :3].mean(axis=0)) if len(poses) else np.zeros(3)
         poses[:, :3] -= origin
@@ -170,7 +170,7 @@ def gap_rows(
     labels = [label for label, _ in epochs]
     known = _known_from_other_epochs(rows, labels)
     for label, time in epochs:
-        placed = _placed(rows, label)
+        placed = placed_rows(rows, label)
         if not placed:
             continue
         centres = np.array([row["geometry"] for row in placed])
@@ -198,11 +198,6 @@ def gap_rows(
             }
         result += own
     return result
-
-
-def _placed(rows: Iterable[Mapping[str, Any]], label: str) -> list[Mapping[str, Any]]:
-    """Rows of an epoch that have a pose."""
-    return [row for row in rows if row["epoch"] == label and row["geometry"] is not None]
 
 
 def _size(unit: UnitType) -> Row:

@@ -28,6 +28,8 @@ from .schema import LAYERS, Field, Layer
 
 Row = Mapping[str, Any]
 
+STYLES = Path(__file__).parent / "styles"
+
 GEOMETRY = "geometry"
 """Key of a row's geometry: (3,) for points, (k, 3) for lines, absent or None for a row without one."""
 
@@ -90,6 +92,12 @@ def check_output(path: str | Path) -> None:
             ) from error
     with temporary_beside(target):
         pass
+
+
+def write_result(path: str | Path, survey_crs: str, tables: Mapping[str, Sequence[Row]]) -> None:
+    """Write a result with the shipped QGIS styles."""
+    styles = {style.stem: style.read_text(encoding="utf-8") for style in sorted(STYLES.glob("*.qml"))}
+    write_geopackage(path, survey_crs, tables, styles=styles)
 
 
 def write_geopackage(

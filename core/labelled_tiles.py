@@ -15,14 +15,15 @@ from .aggregation import assign
 from .control import transformation_of
 from .crs import tile_transform
 from .displacement_rows import UnitSize, epochs_of, unit_of, unit_sizes
+from .epoch_plans import plan_survey
 from .errors import InputError, OutputError
+from .feedback import Feedback
 from .geopackage import replace_durably, temporary_beside
 from .pose import Pose
 from .result_tables import Row, read_layer_rows
 from .survey import Survey
 from .tiles import TileInfo, tile_chunks, tile_crs
 from .unit_types import UnitType
-from .workflow import Feedback, plan_survey
 
 FloatArray = NDArray[np.float64]
 

@@ -66,6 +66,13 @@ class Pose:
         """The same solid with its legs renumbered by a (3, 3) rotation that maps the body onto itself."""
         return Pose(self.centre, self.rotation @ np.asarray(symmetry, dtype=np.float64))
 
+    def twisted_as(self, known: Pose, axis: ArrayLike) -> Pose:
+        """The pose turned about a (3,) axis of the body, which stays where it is, so that the twist about it is that of the known pose."""
+        along = self.rotation @ np.asarray(axis, dtype=np.float64)
+        x, y, z, w = Rotation.from_matrix(known.rotation @ self.rotation.T).as_quat()
+        twist = 2 * np.arctan2(np.dot([x, y, z], along), w)
+        return Pose(self.centre, Rotation.from_rotvec(twist * along).as_matrix() @ self.rotation)
+
     def quaternion(self) -> FloatArray:
         """(4,) qx, qy, qz, qw of the rotation body -> frame, qw >= 0."""
         return np.asarray(Rotation.from_matrix(self.rotation).as_quat(canonical=True))

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from .feedback import Feedback
 from .pose import Pose
 from .unit_types import UnitType
 from .verification import overlap
 
 FloatArray = NDArray[np.float64]
 Row = dict[str, Any]
+AnyRow = TypeVar("AnyRow", bound=Mapping[str, Any])
 
 CLOSEST_HEIGHTS = 0.5
 """Two solid tetrapods cannot bring their centres nearer than about this many heights."""
@@ -78,6 +80,11 @@ def reduced(poses: FloatArray) -> FloatArray:
     return np.column_stack([poses[:, :3] - np.round(poses[:, :3].mean(axis=0)), poses[:, 3:]])
 
 
+def placed_rows(rows: Iterable[AnyRow], label: str) -> list[AnyRow]:
+    """Rows of an epoch that have a pose, of rows of the layer ``units``."""
+    return [row for row in rows if row["epoch"] == label and row["geometry"] is not None]
+
+
 def pose_table(rows: Sequence[Mapping[str, Any]]) -> FloatArray:
     """(k, 12) centre and rotation by rows of rows of the layer ``units`` that have a geometry."""
     poses = [Pose.from_quaternion(row["geometry"], [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in rows]
@@ -90,10 +97,30 @@ def kinds_of(rows: Iterable[Mapping[str, Any]], units: Sequence[UnitType]) -> ND
     return np.array([number[row["unit_type"]] for row in rows], dtype=np.int64)
 
 
+def state_quality(
+    rows: Sequence[dict[str, Any]],
+    units: Sequence[UnitType],
+    labels: Sequence[str],
+    feedback: Feedback,
+    gaps: Sequence[Mapping[str, Any]] | None = None,
+) -> dict[str, dict[str, Any]]:
+    """Fill what rows of ``units`` say of their neighbours, log each epoch's summary, and return the summaries by label.
+
+    ``gaps`` are the rows of that layer, None where gaps were not looked for.
+    """
+    add_neighbours(rows, units)
+    summaries = {}
+    for label in labels:
+        count = None if gaps is None else sum(row["epoch"] == label for row in gaps)
+        summaries[label] = summarise_epoch(rows, label, count)
+        feedback.info(describe(label, summaries[label]))
+    return summaries
+
+
 def add_neighbours(rows: Sequence[Row], units: Sequence[UnitType]) -> None:
     """Fill ``nearest_centre`` and ``overlap_share`` of rows of the layer ``units``, epoch by epoch, from their final poses."""
     for label in dict.fromkeys(row["epoch"] for row in rows):
-        own = [row for row in rows if row["epoch"] == label and row["geometry"] is not None]
+        own = placed_rows(rows, label)
         if not own:
             continue
         poses = reduced(pose_table(own))
@@ -104,8 +131,8 @@ def add_neighbours(rows: Sequence[Row], units: Sequence[UnitType]) -> None:
             row["overlap_share"] = float(share)
 
 
-def summarise_epoch(rows: Sequence[Mapping[str, Any]], gaps: int | None) -> Row:
-    """An epoch in a few numbers, from its rows of the layer ``units`` after :func:`add_neighbours`.
+def summarise_epoch(rows: Iterable[Mapping[str, Any]], label: str, gaps: int | None) -> Row:
+    """An epoch in a few numbers, from rows of the layer ``units`` after :func:`add_neighbours`.
 
     Returns
     -------
@@ -113,7 +140,7 @@ def summarise_epoch(rows: Sequence[Mapping[str, Any]], gaps: int | None) -> Row:
         ``found``, ``uncertain``; ``distance_median`` of the counting units' own (metres) and ``overlap_share_max`` among them, None where
         no unit tells; ``close_pairs``, of all units with centres nearer than 0.5 H; ``gaps``, None where they were not looked for.
     """
-    placed = [row for row in rows if row["geometry"] is not None]
+    placed = placed_rows(rows, label)
     counting = [row for row in placed if row["status"] in ACCEPTED]
     distances = [row["distance_median"] for row in counting if _known(row.get("distance_median"))]
     shares = [row["overlap_share"] for row in counting if row.get("overlap_share") is not None]

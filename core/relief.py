@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 from scipy.ndimage import uniform_filter
 
 from .crs import LOCAL
+from .epoch_plans import plan_survey
+from .feedback import Feedback
 from .geopackage import replace_durably, temporary_beside
 from .survey import Survey
 from .tiles import TileInfo, read_points
-from .workflow import Feedback, plan_survey
 
 FloatArray = NDArray[np.float64]
 GreyArray = NDArray[np.uint8]

@@ -1,136 +1,26 @@
-"""Units of an epoch between the steps, and the rows of the result they become."""
+"""Rows of the result that units of one epoch, its plan and its registration become."""
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .block_jobs import covariances_of
+from .control import Registration
+from .epoch_plans import EpochPlan
+from .epoch_units import EpochUnits
 from .feature_points import FEATURES, feature_points
 from .geopackage import upper_triangle
 from .pose import Pose
 from .run_record import RunRecord, software_version
-from .survey import Epoch
-from .tile_jobs import Block, loaded_arrays
-from .tiles import TileInfo
 from .unit_types import UnitType
-
-if TYPE_CHECKING:
-    from .control import Registration
-    from .trajectory import BeamNoise
 
 FloatArray = NDArray[np.float64]
 Row = dict[str, Any]
-
-
-@dataclass(frozen=True, eq=False)
-class EpochPlan:
-    """An epoch with its checked tiles and the blocks it is cut into."""
-
-    epoch: Epoch
-    tiles: tuple[TileInfo, ...]
-    blocks: tuple[Block, ...]
-
-    @property
-    def points(self) -> int:
-        """Points of all tiles."""
-        return sum(tile.points for tile in self.tiles)
-
-
-@dataclass(frozen=True, eq=False)
-class EpochUnits:
-    """Units of one epoch, in the frame of its cloud.
-
-    Attributes
-    ----------
-    plan
-        The epoch.
-    table
-        Arrays by column, one row per unit in order of easting; ``poses`` (k, 12) are absolute. See :mod:`block_jobs`.
-    places
-        (k, 2) number of the file in ``files`` and row in it that hold each unit's points.
-    files
-        Results of the blocks' jobs.
-    units
-        Geometry by type of unit, calibrated where that was asked for.
-    """
-
-    plan: EpochPlan
-    table: Mapping[str, NDArray[Any]]
-    places: NDArray[np.int64]
-    files: tuple[Path, ...]
-    units: tuple[UnitType, ...]
-
-    def __len__(self) -> int:
-        return len(self.places)
-
-    def pose(self, row: int) -> Pose:
-        """Absolute pose of a unit."""
-        values = self.table["poses"][row]
-        return Pose(values[:3], values[3:].reshape(3, 3))
-
-    def reader(self) -> Callable[[int], tuple[FloatArray, NDArray[np.uint16]]]:
-        """Reads (n, 3) absolute points and (n,) source ids of a unit by its row.
-
-        It holds one file at a time: units of one file are to be asked for one after the other.
-
-        Raises
-        ------
-        InputError
-            When reading, if a file is gone.
-        """
-        arrays_of = self._arrays()
-
-        def read(row: int) -> tuple[FloatArray, NDArray[np.uint16]]:
-            arrays, own = arrays_of(row)
-            return arrays["points"][own] + arrays["origin"], arrays["sources"][own]
-
-        return read
-
-    def points(self) -> Iterator[tuple[int, FloatArray, NDArray[np.uint16]]]:
-        """Row, (n, 3) absolute points and (n,) source ids of every unit, file by file."""
-        read = self.reader()
-        for row in np.argsort(self.places[:, 0], kind="stable"):
-            yield int(row), *read(int(row))
-
-    def covariances(self, beams: BeamNoise) -> Callable[[int], FloatArray]:
-        """Reads (n, 3, 3) covariances of a unit's points by its row, in the order of :meth:`reader`'s points; square metres.
-
-        It holds one file at a time too.
-
-        Raises
-        ------
-        InputError
-            When reading, if a file is gone or the sensor's position is not known for a point.
-        """
-        arrays_of = self._arrays()
-
-        def read(row: int) -> FloatArray:
-            arrays, own = arrays_of(row)
-            return covariances_of(arrays, own, beams, self.units[int(self.table["type"][row])])
-
-        return read
-
-    def _arrays(self) -> Callable[[int], tuple[Mapping[str, NDArray[Any]], slice]]:
-        """Reads the arrays of the block that holds a unit, and which of their points are the unit's, by its row; holds one file."""
-        held: dict[int, Mapping[str, NDArray[Any]]] = {}
-
-        def read(row: int) -> tuple[Mapping[str, NDArray[Any]], slice]:
-            number, place = self.places[row]
-            if number not in held:
-                held.clear()
-                held[number] = loaded_arrays(self.files[number])
-            arrays = held[number]
-            return arrays, slice(arrays["offsets"][place], arrays["offsets"][place + 1])
-
-        return read
 
 
 def unit_rows(epoch: EpochUnits, ids: Sequence[str]) -> list[Row]:

@@ -253,7 +253,7 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
     shared = np.zeros(len(poses))
     for k in range(len(poses)):
         stronger = np.flatnonzero((scores >= FOUND_SCORE) & (scores > scores[k]))
-        for j in stronger[np.sum((poses[stronger, :3] - poses[k, :3]) ** 2, axis=1) < (1.29 * unit.height) ** 2]:
+        for j in stronger[np.sum((poses[stronger, :3] - poses[k, :3]) ** 2, axis=1) < (2 * unit.reach) ** 2]:
             shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
     entered = shared > MOST_INTERPENETRATION
     kept = np.flatnonzero((found >= LISTED_EVIDENCE) & (scores >= LISTED_SCORE))

@@ -300,7 +300,7 @@ def _adjust(seen: Sequence[dict[int, FittedUnit]]) -> tuple[JointAdjustment, dic
     # one epoch from one station has neither offsets nor surfaces seen twice: nothing ties its units, and their own fits stand
     tied = any(len(own) > 1 for own in seen) or len({(s.epoch, int(k)) for s in sightings for k in s.cloud.ids}) > 1
     fitted = all(unit.covariance is not None for own in seen for unit in own.values())
-    if any(s.cloud.count for s in sightings) and (tied or not fitted):
+    if any(s.cloud.has_points for s in sightings) and (tied or not fitted):
         return adjust_jointly(sightings), numbers
     return _as_fitted(seen, numbers), numbers
 
@@ -447,7 +447,7 @@ def _cross_checks(
         both = [k for k, own in enumerate(seen) if first in own and second in own and (own[first].certain or own[second].certain)]
         for unit in by_home((k, (seen[k][first].cloud, seen[k][second].cloud)) for k in both):
             own = seen[unit]
-            if not (own[first].cloud.count and own[second].cloud.count):
+            if not (own[first].cloud.has_points and own[second].cloud.has_points):
                 continue
             noise = float(np.nanmax(joint.noise[[first, second]]))
             a, b = numbers[unit, first], numbers[unit, second]

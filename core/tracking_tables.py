@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from .displacement import Grade, UnitMotion, grade
 from .feature_points import FEATURES
-from .pose import Pose
+from .result_rows import covariance_fields, feature_rows
 from .tracking import DATUMS, EpochPair, TrackedEpoch, TrackedUnit, Tracking, own_covariance, unit_shape
 from .unit_types import UnitType
 
@@ -240,8 +240,6 @@ def unit_tables(
     names: Sequence[str],
     origin: FloatArray,
     from_fit: Callable[[int, int | None], Mapping[str, Any]],
-    feature_rows: Callable[[str, str, Any, Pose, UnitType, FloatArray | None, Sequence[bool | None]], list[Row]],
-    covariance_fields: Callable[[FloatArray], Row],
 ) -> tuple[list[Row], list[Row]]:
     """Rows of ``units`` and ``feature_points``.
 
@@ -249,8 +247,6 @@ def unit_tables(
     ----------
     from_fit
         Fields of an epoch's fitted unit that tracking does not change, with ``observed`` (5,); for row None those of a recovered unit.
-    feature_rows, covariance_fields
-        Makers of rows shared with the step ``fit``.
     """
     unit_rows: list[Row] = []
     points: list[Row] = []

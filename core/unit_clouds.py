@@ -18,10 +18,8 @@ class UnitCloud:
 
     Attributes
     ----------
-    count
-        Number of points.
     ids
-        (s,) the flight strips or stations they come from, ascending, each once.
+        (s,) the flight strips or stations they come from, ascending, each once; empty where there are no points.
     read
         Reads (n, 3) points in metres and their (n,) strips or stations, the same ones each time.
     home
@@ -29,15 +27,19 @@ class UnitCloud:
         (:func:`by_home`). Empty for points that are held in memory.
     """
 
-    count: int
     ids: Sources
     read: Callable[[], tuple[FloatArray, Sources]]
     home: tuple[int, ...] = ()
 
+    @property
+    def has_points(self) -> bool:
+        """Whether there is anything to read."""
+        return len(self.ids) > 0
+
     @classmethod
     def held(cls, points: FloatArray, sources: Sources) -> UnitCloud:
         """Cloud of (n, 3) points and (n,) sources that stay in memory."""
-        return cls(len(points), np.unique(sources), lambda: (points, sources))
+        return cls(np.unique(sources), lambda: (points, sources))
 
     @classmethod
     def none(cls) -> UnitCloud:

@@ -14,7 +14,9 @@ from .block_jobs import ROUGHNESS_RATIO
 from .congruence import NullModel, calibrated
 from .control import mean_offset_variance, transformation_of
 from .displacement_rows import EpochInfo, epochs_of, read_epochs, unit_of, unit_sizes
+from .epoch_plans import plan_survey
 from .errors import InputError
+from .feedback import Feedback
 from .gauss_helmert import AdjustmentOptions, adjust
 from .pose import Pose
 from .result_tables import read_layer_rows
@@ -24,7 +26,6 @@ from .tiles import checksum, read_points
 from .trajectory import noise_of, surface_covariances
 from .unit_edits import NewPose, set_pose
 from .unit_points import PointIndex, index_folder, write_index
-from .workflow import Feedback, plan_survey
 
 FloatArray = NDArray[np.float64]
 

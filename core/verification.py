@@ -83,7 +83,7 @@ def select(
         row = judge(finer[None])[0]
         if worth(row) < -old * 0.9:
             finer, row = pose, judge(pose[None])[0]
-        near = np.flatnonzero(np.sum((standing[:count, :3] - finer[:3]) ** 2, axis=1) < (1.29 * unit.height) ** 2)
+        near = np.flatnonzero(np.sum((standing[:count, :3] - finer[:3]) ** 2, axis=1) < (2 * unit.reach) ** 2)
         if not plausible(row, tolerance) or any(overlap(finer, standing[j], unit) > MOST_OVERLAP for j in near):
             continue
         claim(finer, elements.points, active, grid, unit, tolerance)

@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from ..core.errors import InputError
+from ..core.feedback import Feedback
 from ..core.survey import read_survey
 from ..core.tiles import checksum
-from ..core.workflow import Feedback
 from .console import DONE
 
 SETTLED_SECONDS = 5.0

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from ..core.feedback import Feedback
 from .console import Console, execute
 
 if TYPE_CHECKING:
     from ..core.result_tables import EpochPair
     from ..core.unit_types import UnitType
-    from ..core.workflow import Feedback
 
 app = typer.Typer(
     add_completion=False,
@@ -49,8 +49,6 @@ def _run(quiet: bool, log_file: Path | None, json_progress: bool, step: Callable
     """Run a step with its messages going to the console, and leave with its exit code."""
 
     def with_feedback(console: Console) -> dict[str, Any]:
-        from ..core.workflow import Feedback
-
         return step(Feedback(console.progress, console.info, console.warning))
 
     raise typer.Exit(execute(Console(quiet, log_file, json_progress), with_feedback))
@@ -71,8 +69,9 @@ def run(
     """All steps: tiles to units, feature points, registration and displacements."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.run_options import RunOptions
         from ..core.survey import read_survey
-        from ..core.workflow import RunOptions, run_survey
+        from ..core.workflow import run_survey
 
         return run_survey(read_survey(survey), output, RunOptions(workers, scheduler, resume, seed), feedback)
 
@@ -90,8 +89,9 @@ def inspect(
     """Extent, CRS, number and density of points of tiles."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.epoch_plans import plan_survey
         from ..core.survey import read_survey
-        from ..core.workflow import plan_survey, run_inspect
+        from ..core.workflow import run_inspect
 
         paths: list[Path] = []
         for tile in tiles:
@@ -121,8 +121,9 @@ def segment(
     """Find the units of every epoch: approximate poses, in the frame of the epoch's cloud."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.run_options import RunOptions
         from ..core.survey import read_survey
-        from ..core.workflow import RunOptions, run_segment
+        from ..core.workflow import run_segment
 
         return run_segment(read_survey(survey), output, RunOptions(workers, scheduler, resume, seed), feedback)
 
@@ -147,8 +148,9 @@ def fit(
     """Adjust every unit to its points (Gauss-Helmert), in the frame of the epoch's cloud."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.run_options import RunOptions
         from ..core.survey import read_survey
-        from ..core.workflow import RunOptions, run_fit
+        from ..core.workflow import run_fit
 
         return run_fit(read_survey(survey), units, output, RunOptions(workers, scheduler, resume, seed), feedback)
 
@@ -176,8 +178,9 @@ def register(
     """Register every epoch's cloud to survey control."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.run_options import RunOptions
         from ..core.survey import read_survey
-        from ..core.workflow import RunOptions, run_register
+        from ..core.workflow import run_register
 
         return run_register(read_survey(survey), output, RunOptions(), feedback)
 

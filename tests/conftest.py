@@ -72,8 +72,10 @@ def tiny(repository: Path) -> Path:
 @pytest.fixture(scope="session")
 def result(tiny: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Result of a whole run on the tiny survey."""
+    from tetratrack.core.feedback import Feedback
+    from tetratrack.core.run_options import RunOptions
     from tetratrack.core.survey import read_survey
-    from tetratrack.core.workflow import Feedback, RunOptions, run_survey
+    from tetratrack.core.workflow import run_survey
 
     path = tmp_path_factory.mktemp("result") / "result.gpkg"
     run_survey(read_survey(tiny / "survey.toml"), path, RunOptions(workers=1), Feedback())

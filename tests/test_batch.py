@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 from las_files import grid_points, write_las
+from tetratrack.core.feedback import Feedback
 from tetratrack.core.result_tables import read_layer_rows
-from tetratrack.core.workflow import Feedback
 from tetratrack.scripts import batch
 from tetratrack.scripts.cli import app
 from typer.testing import CliRunner

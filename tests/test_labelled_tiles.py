@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 from tetratrack.core.displacement_rows import read_epochs
 from tetratrack.core.errors import InputError
+from tetratrack.core.feedback import Feedback
 from tetratrack.core.labelled_tiles import write_labelled_tiles
 from tetratrack.core.survey import read_survey
-from tetratrack.core.workflow import Feedback
 
 
 def test_labels_follow_the_truth_and_nothing_else_changes(tiny: Path, result: Path, tmp_path: Path):

@@ -71,7 +71,7 @@ def test_rows_and_summary_of_an_epoch() -> None:
     assert rows[0]["overlap_share"] == 0
     assert rows[1]["overlap_share"] > 0.01
     assert "nearest_centre" not in rows[3]
-    summary = summarise_epoch(rows, 3)
+    summary = summarise_epoch(rows, "a", 3)
     assert summary == {
         "found": 2, "uncertain": 1, "distance_median": 0.004, "overlap_share_max": 0.0, "close_pairs": 1, "gaps": 3
     }  # fmt: skip
@@ -79,7 +79,7 @@ def test_rows_and_summary_of_an_epoch() -> None:
     alone = [row("U1", [0, 0, 0])]
     add_neighbours(alone, [UNIT])
     assert alone[0]["nearest_centre"] is None
-    assert summarise_epoch([], None)["distance_median"] is None
+    assert summarise_epoch([], "a", None)["distance_median"] is None
 
 
 def test_the_weaker_of_two_that_share_a_volume_is_told() -> None:

@@ -15,12 +15,16 @@ import shapely
 from las_files import write_las
 from scipy.spatial.transform import Rotation
 from tetratrack.core.control import Registration, Transformation
+from tetratrack.core.epoch_plans import plan_survey
+from tetratrack.core.epoch_registration import register_epochs
 from tetratrack.core.errors import CrsError, InputError
+from tetratrack.core.feedback import Feedback
+from tetratrack.core.run_options import RunOptions
 from tetratrack.core.stable_areas import read_areas, read_stable_points, register_on_areas, surface_of
 from tetratrack.core.survey import read_survey
 from tetratrack.core.tiles import inspect_tile
 from tetratrack.core.tracking import TrackedEpoch, _common_prior
-from tetratrack.core.workflow import Feedback, RunOptions, plan_survey, register_epochs, run_register
+from tetratrack.core.workflow import run_register
 
 HEIGHT = 2.3
 ORIGIN = np.array([523_170.0, 3_884_600.0, 4.0])

@@ -122,7 +122,7 @@ def test_memory_does_not_grow_with_the_points_of_more_units(monkeypatch: pytest.
             own = some[unit % len(some)]
             points, sources = own.cloud.read()
             read = lambda points=points, sources=sources: (points.copy(), sources)  # noqa: E731
-            sightings.append(UnitSighting(unit, 0, own.pose, UnitCloud(len(points), np.unique(sources), read), own.discs, own.shape))
+            sightings.append(UnitSighting(unit, 0, own.pose, UnitCloud(np.unique(sources), read), own.discs, own.shape))
         tracemalloc.start()
         adjust_jointly(sightings)
         try:

@@ -15,7 +15,6 @@ from tetratrack.core.fitted_unit import FittedUnit
 from tetratrack.core.identity import Track
 from tetratrack.core.pose import Pose
 from tetratrack.core.relocation import Followed
-from tetratrack.core.result_rows import covariance_fields, feature_rows
 from tetratrack.core.surface_texture import Likeness, likeness, texture
 from tetratrack.core.tetrapod import sample_surface
 from tetratrack.core.tracking import TrackedEpoch, Tracking, track
@@ -123,7 +122,7 @@ def test_relocated_unit_keeps_its_identity_though_another_fills_its_hole() -> No
 def test_what_is_not_recognised_stays_lost_and_new_with_the_candidates_named() -> None:
     result, epochs, castings = tracked(0.004)
     names = unit_names(len(result.units))
-    rows, _ = unit_tables(result, epochs, [UNIT], names, np.zeros(3), lambda e, r: {}, feature_rows, covariance_fields)
+    rows, _ = unit_tables(result, epochs, [UNIT], names, np.zeros(3), lambda e, r: {})
     by_name = {(row["unit_id"], row["epoch"]): row for row in rows}
     lost, new, refill = (names[castings[k]] for k in (2, 8, 9))
     assert by_name[lost, "1"]["status"] == "lost"

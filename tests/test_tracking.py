@@ -274,7 +274,7 @@ def test_points_are_read_home_by_home_with_the_same_result() -> None:
                 opened[epoch].append(block)
             return unit.cloud.read()
 
-        return replace(unit, cloud=UnitCloud(unit.cloud.count, unit.cloud.ids, read, (epoch, block)))
+        return replace(unit, cloud=UnitCloud(unit.cloud.ids, read, (epoch, block)))
 
     def around(epoch: int, places: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
         looked_at.append(len({(x > 4, y > 4) for x, y, _ in places}))

@@ -12,14 +12,17 @@ import pytest
 from las_files import write_las
 from scipy.spatial.transform import Rotation
 from tetratrack.core.block_jobs import ROUGHNESS_RATIO, FitJob
+from tetratrack.core.epoch_plans import plan_survey
 from tetratrack.core.errors import InputError
+from tetratrack.core.feedback import Feedback
 from tetratrack.core.gauss_helmert import AdjustmentOptions, adjust, beam_covariances
 from tetratrack.core.pose import Pose
+from tetratrack.core.run_options import RunOptions
 from tetratrack.core.survey import read_survey
 from tetratrack.core.tetrapod import sample_surface
 from tetratrack.core.trajectory import BeamNoise, read_stations, read_trajectory
 from tetratrack.core.unit_types import UnitType
-from tetratrack.core.workflow import Feedback, RunOptions, plan_survey, run_survey
+from tetratrack.core.workflow import run_survey
 
 UNIT = UnitType.tetrapod(2.3)
 ORIGIN = np.array([500_000.0, 3_500_000.0, 2.0])

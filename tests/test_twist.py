@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tetratrack.core.pose import rotation_angle
+from scipy.spatial.transform import Rotation
+from tetratrack.core.pose import Pose, rotation_angle
 from tetratrack.core.segmentation import FOUND_SCORE, segment
 from tetratrack.core.simulation import cloud_of, interlocked_poses
 from tetratrack.core.tetrapod import relate
@@ -78,3 +79,17 @@ def test_tolerated_twist_keeps_the_feature_points_near():
     cross = np.cross(np.broadcast_to(axis, features.shape), features)
     turned = features * np.cos(angle) + cross * np.sin(angle) + np.outer(features @ axis, axis) * (1 - np.cos(angle))
     assert np.linalg.norm(turned - features, axis=1).mean() == pytest.approx(0.15 * UNIT.height, rel=1e-6)
+
+
+def test_a_twist_is_taken_over_and_the_leg_stays() -> None:
+    axis = UNIT.leg_directions[2]
+    known = Pose(np.array([1.0, 2.0, 3.0]), Rotation.random(random_state=1).as_matrix())
+    turned = Pose(known.centre + 0.01, Rotation.from_rotvec(0.6 * known.rotation @ axis).as_matrix() @ known.rotation)
+    back = turned.twisted_as(known, axis)
+    np.testing.assert_allclose(back.rotation, known.rotation, atol=1e-12)
+    np.testing.assert_array_equal(back.centre, turned.centre)
+    # a leg that leans a little otherwise stays where it was seen
+    leaning = Pose(turned.centre, Rotation.from_rotvec([0.02, -0.01, 0.015]).as_matrix() @ turned.rotation)
+    result = leaning.twisted_as(known, axis)
+    np.testing.assert_allclose(result.rotation @ axis, leaning.rotation @ axis, atol=1e-12)
+    assert Rotation.from_matrix(result.rotation @ known.rotation.T).magnitude() < 0.03

@@ -15,6 +15,7 @@ from synthetic_result import GRADIENT, HEIGHT, LEG_LENGTH, ORIGIN, RADIUS, SRS, 
 from tetratrack.core.control import Transformation, transformation_of
 from tetratrack.core.displacement_rows import read_details, read_epochs, read_unit_rows
 from tetratrack.core.errors import InputError
+from tetratrack.core.feedback import Feedback
 from tetratrack.core.gauss_helmert import beam_covariances
 from tetratrack.core.outline import rotation_of_quaternion
 from tetratrack.core.pose import Pose
@@ -25,7 +26,6 @@ from tetratrack.core.unit_edits import NewPose, read_edits, set_pose
 from tetratrack.core.unit_points import PointIndex, index_folder, write_index
 from tetratrack.core.unit_refit import index_unit_points, refit_unit
 from tetratrack.core.unit_types import UnitType
-from tetratrack.core.workflow import Feedback
 
 
 def stable_units(count: int) -> list[SyntheticUnit]:

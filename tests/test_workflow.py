@@ -18,10 +18,12 @@ import numpy as np
 import pytest
 from result_contents import contents
 from tetratrack.core.errors import Cancelled, InputError, OutputError
+from tetratrack.core.feedback import Feedback
 from tetratrack.core.geopackage import from_upper_triangle
 from tetratrack.core.result_tables import read_layer_rows
+from tetratrack.core.run_options import RunOptions
 from tetratrack.core.survey import Survey, read_survey
-from tetratrack.core.workflow import Feedback, RunOptions, run_fit, run_inspect, run_segment, run_survey
+from tetratrack.core.workflow import run_fit, run_inspect, run_segment, run_survey
 from tetratrack.scripts.cli import app
 from typer.testing import CliRunner
 
