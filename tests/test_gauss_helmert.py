@@ -11,9 +11,11 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 from scipy.stats import binom, chi2
 from tetratrack.core.errors import InputError
-from tetratrack.core.gauss_helmert import _LAGS, Adjustment, AdjustmentOptions, _lag_products, _pair_products, adjust, beam_covariances
+from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, adjust
 from tetratrack.core.pose import Pose, rotation_angle
+from tetratrack.core.residual_correlation import _LAGS, _lag_products, _pair_products
 from tetratrack.core.tetrapod import END_DISC, relate, sample_surface
+from tetratrack.core.trajectory import beam_covariances
 from tetratrack.core.unit_types import UnitType
 
 UNIT = UnitType.tetrapod(2.3)

@@ -13,11 +13,11 @@ from las_files import write_las
 from scipy.spatial.transform import Rotation
 from tetratrack.core.block_jobs import ROUGHNESS_RATIO, FitJob
 from tetratrack.core.errors import InputError
-from tetratrack.core.gauss_helmert import AdjustmentOptions, adjust, beam_covariances
+from tetratrack.core.gauss_helmert import AdjustmentOptions, adjust
 from tetratrack.core.pose import Pose
 from tetratrack.core.survey import read_survey
 from tetratrack.core.tetrapod import sample_surface
-from tetratrack.core.trajectory import BeamNoise, read_stations, read_trajectory
+from tetratrack.core.trajectory import BeamNoise, beam_covariances, read_stations, read_trajectory
 from tetratrack.core.unit_types import UnitType
 from tetratrack.core.workflow import Feedback, RunOptions, plan_survey, run_survey
 
