@@ -28,7 +28,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .cone_conditions import FULL_WEIGHT, NO_WEIGHT, SCALE_NARROWING, clear_counts, legs_of, linearise_points, row_excess
+from .cone_conditions import FULL_WEIGHT, NO_WEIGHT, PARAMETERS, SCALE_NARROWING, clear_counts, legs_of, linearise_points, row_excess
 from .errors import InputError
 from .kernels import kernel
 from .pose import Pose
@@ -46,6 +46,8 @@ LOST = math.pi / math.sqrt(3)
 DETERMINED = 0.5
 """A direction in parameter space counts as determined if its standard deviation is below this, in radians or leg lengths."""
 MIN_POINTS = 8
+FEW_POINTS = 4 * len(PARAMETERS)
+"""Used points below which robust weights cannot tell bad points, and the stated covariance does not hold."""
 EDGE_RATIO = 0.03
 """Width of the fillet along creases and of the chamfer around end discs that is left out, as a share of the height."""
 TIP_RATIO = 0.87
@@ -147,7 +149,8 @@ class Adjustment:
     legs_visible
         Number of legs whose lateral surface holds at least ``MIN_POINTS`` points and 1 % of the used points.
     flags
-        Short statements for the user: ``one leg: twist about its axis undetermined``, ``two legs``, ...
+        Short statements for the user: ``one leg: twist about its axis undetermined``, ``two legs``, ``few points`` (too few to tell bad
+        ones: the covariance may be too small), ...
     """
 
     pose: Pose
@@ -640,10 +643,16 @@ class _Solver:
     def refined_scale(self, scale: float, squares: float, weight_sum: float) -> float:
         if self.options.sigma is not None:
             return self.options.sigma
-        if not self.options.robust:
-            free = float(self.free().sum())
-            return max(scale * math.sqrt(squares / max(weight_sum - free, 1.0)), self.floor)
-        return max(scale * math.sqrt(squares / max(weight_sum, 1.0) / _SCALE_CONSISTENCY), self.floor)
+        return max(self.scale_of(scale, squares, weight_sum), self.floor)
+
+    def scale_of(self, scale: float, squares: float, weight_sum: float) -> float:
+        """Scale of the residuals from their squares, standardised by ``scale``, over what the weights exceed the unknowns by.
+
+        The unknowns take their share of the residuals with or without robust weights. Left out of account among few points, the scale
+        comes out too small, the weights then drop good points, and so on: of 40 points seven were left that fitted exactly.
+        """
+        consistency = _SCALE_CONSISTENCY if self.options.robust else 1.0
+        return scale * math.sqrt(squares / max(weight_sum - np.count_nonzero(self.free()), 1.0) / consistency)
 
     def find_discs(self, scale: float) -> bool:
         """Use the end disc of a leg where the points show a plane at the nominal length: many, thin, in place. Tells of any."""
@@ -681,7 +690,6 @@ class _Solver:
         return True
 
     def result(self, scale: float, sums: tuple[float, float], converged: bool, iterations: int) -> Adjustment:
-        squares, weight_sum = sums
         free = self.free()
         slope = self.slopes / max(self.singles, 1.0)
         excess = row_excess(
@@ -714,7 +722,7 @@ class _Solver:
         influence, all_weight, owned, squared_sds = _redundancy(
             whitened, self.weights, self.legs, self.parts, self.sds, scale, redundancy_numbers, detectable
         )
-        noise = scale if self.options.sigma is None else scale * math.sqrt(squares / max(weight_sum, 1e-300) / self.consistency())
+        noise = scale if self.options.sigma is None else self.scale_of(scale, *sums)
         visible = sum(number >= max(MIN_POINTS, 0.01 * count) for number in owned.tolist())
         mean_sd = math.sqrt(squared_sds / count) if count else math.nan
         a_priori = self.options.sigma or (1.0 if len(self.cov) else noise)
@@ -722,15 +730,14 @@ class _Solver:
             Pose(self.centre, self.rotation), float(self.shape[0]), float(self.shape[1]), covariance, noise / a_priori, noise * mean_sd,
             all_weight - influence, redundancy_numbers, detectable, self.weights.copy(), np.where(used, self.legs, -1),
             self.parts.copy(), self.residuals.copy(), all_weight / inflation, converged, iterations, undetermined, visible,
-            _flags(visible, len(undetermined), count > 0 and not owned.any()),
+            _flags(visible, len(undetermined), count > 0 and not owned.any(), count < FEW_POINTS),
         )  # fmt: skip
 
-    def consistency(self) -> float:
-        return _SCALE_CONSISTENCY if self.options.robust else 1.0
 
-
-def _flags(visible: int, undetermined: int, discs_only: bool) -> tuple[str, ...]:
+def _flags(visible: int, undetermined: int, discs_only: bool, few_points: bool) -> tuple[str, ...]:
     flags = []
+    if few_points:
+        flags.append("few points")
     if discs_only:
         flags.append("end discs only")
     if visible == 1:

@@ -129,6 +129,38 @@ def test_priors_and_fixed_shape() -> None:
     assert math.sqrt(tight.covariance[6, 6]) == pytest.approx(1e-5, rel=0.05)
 
 
+@pytest.mark.parametrize(("count", "most_beyond"), [(40, 0.12), (100, 0.04)])
+def test_scale_does_not_collapse_with_few_points(count: int, most_beyond: float) -> None:
+    """Without the unknowns' share, 20 % of the fits of 40 points lay beyond the 99 % region, and their noise was 0.74 of the truth."""
+    rng = np.random.default_rng(40)
+    noises, beyond, fits = [], 0, 120
+    for _ in range(fits):
+        pose, points, _ = cloud(rng, count, 0.02)
+        result = adjust(points, UNIT, pose.perturbed(rng.normal(0, 0.04, 3), rng.normal(0, 0.02, 3)), options=IDEAL)
+        far, freedom = distance(result, pose)
+        beyond += far > chi2.ppf(0.99, freedom)
+        noises.append(result.noise)
+    assert beyond / fits < most_beyond
+    assert np.mean(noises) == pytest.approx(0.02, rel=0.08 if count < 50 else 0.03)
+
+
+@pytest.mark.parametrize("robust", [True, False])
+def test_known_noise_leaves_unit_weight_at_one(robust: bool) -> None:
+    rng = np.random.default_rng(41)
+    ratios = []
+    for _ in range(60):
+        pose, points, legs = cloud(rng, 80, 0.02)
+        ratios.append(adjust(points, UNIT, pose, options=AdjustmentOptions.ideal(sigma=0.02, robust=robust), legs=legs).sigma0)
+    assert np.mean(ratios) == pytest.approx(1, abs=0.03)
+
+
+@pytest.mark.parametrize(("count", "few"), [(24, True), (200, False)])
+def test_few_points_are_stated(count: int, few: bool) -> None:
+    pose, points, legs = cloud(np.random.default_rng(42), count, 0.002)
+    result = adjust(points, UNIT, pose, options=HELD, legs=legs)
+    assert ("few points" in result.flags) == few
+
+
 def test_one_leg_states_that_its_twist_is_unknown() -> None:
     rng = np.random.default_rng(10)
     pose, points, legs = cloud(rng, 3000, 0.01)
