@@ -329,24 +329,34 @@ def _sandwich(white: Any, scores: Any, correlated: Any) -> Any:
 
 
 @kernel()
-def _sizes(residuals: Any, biases: Any, sds: Any) -> Any:
-    """(n,) sizes of the standardised residuals, inf for points that belong to no part."""
-    sizes = np.abs((residuals - biases) / sds)
-    for i in range(len(sizes)):
-        if math.isnan(sizes[i]):
-            sizes[i] = math.inf
-    return sizes
+def _sizes(residuals: Any, biases: Any, sds: Any, given: Any) -> Any:
+    """Sizes of the standardised residuals of all points but those left out by ``given``, inf for points that belong to no part."""
+    n = len(residuals)
+    sizes = np.empty(n)
+    count = 0
+    for i in range(n):
+        if len(given) == n and given[i] < 0:
+            continue
+        size = abs((residuals[i] - biases[i]) / sds[i])
+        sizes[count] = math.inf if math.isnan(size) else size
+        count += 1
+    return sizes[:count]
 
 
 @kernel()
-def _share_within(residuals: Any, biases: Any, sds: Any, at_tip: Any, limit: Any) -> Any:
-    """Share of points whose standardised residual is below a limit, those in tips left out if they are not the most."""
-    within = counted = 0
-    for i in range(len(residuals)):
+def _share_within(residuals: Any, biases: Any, sds: Any, at_tip: Any, given: Any, limit: Any) -> Any:
+    """Share of points whose standardised residual is below a limit; those left out by ``given`` do not count, nor those in tips if they are
+    not the most."""
+    n = len(residuals)
+    within = counted = kept = 0
+    for i in range(n):
+        if len(given) == n and given[i] < 0:
+            continue
+        kept += 1
         if not at_tip[i]:
             counted += 1
             within += abs(residuals[i] - biases[i]) < limit * sds[i]
-    return within / max(counted, len(residuals) // 2, 1)
+    return within / max(counted, kept // 2, 1)
 
 
 @kernel()
@@ -409,19 +419,19 @@ def adjust(
     if not np.isfinite(xyz).all():
         raise InputError("points of a unit are not finite", remedy="remove points without coordinates")
     n = len(xyz)
-    if n < MIN_POINTS:
-        raise InputError(f"{n} points are too few to adjust a unit", remedy=f"give at least {MIN_POINTS} points of one unit")
     cov = np.zeros((0, 3, 3)) if covariances is None else np.ascontiguousarray(covariances, dtype=np.float64)
     if covariances is not None and cov.shape != (n, 3, 3):
         raise ValueError(f"covariances must be ({n}, 3, 3), got {cov.shape}")
     given = np.zeros(0, dtype=np.int64) if legs is None else np.ascontiguousarray(legs, dtype=np.int64)
     if legs is not None and (given.shape != (n,) or given.max(initial=0) > 3):
         raise ValueError(f"legs must be ({n},) numbers 0..3, or -1")
+    kept = np.arange(n) if legs is None else np.flatnonzero(given >= 0)
+    if len(kept) < MIN_POINTS:
+        raise InputError(f"{len(kept)} points are too few to adjust a unit", remedy=f"give at least {MIN_POINTS} points of one unit")
     solver = _Solver(xyz, unit, pose, options, cov, given)
-    if n <= 2 * APPROACH_SAMPLE:
+    if len(kept) <= 2 * APPROACH_SAMPLE:
         return solver.solve(solver.approach())
-    some = slice(None, None, n // APPROACH_SAMPLE)
-    rough = solver.sampled(some)
+    rough = solver.sampled(kept[:: len(kept) // APPROACH_SAMPLE])
     scale = rough.approach()
     solver.restore(rough.state())
     return solver.solve(scale)
@@ -467,10 +477,10 @@ class _Solver:
         self.at_tip = np.zeros(n, dtype=np.bool_)
         self.rows, self.feet = np.zeros((n, 12)), np.zeros((n, 3))
 
-    def sampled(self, some: slice) -> _Solver:
+    def sampled(self, some: IntArray) -> _Solver:
         """A solver of some of the points that leaves this one's pose alone; the other work arrays are shared."""
         sample = copy(self)
-        sample.take(np.ascontiguousarray(self.xyz[some]), np.ascontiguousarray(self.cov[some]), np.ascontiguousarray(self.given[some]))
+        sample.take(self.xyz[some], self.cov[some] if len(self.cov) else self.cov, self.given[some] if len(self.given) else self.given)
         sample.restore(self.state())
         return sample
 
@@ -625,16 +635,18 @@ class _Solver:
 
     def looks_like_noise(self, scale: float) -> bool:
         """Whether nearly all residuals are small beside the unit, and none far beyond their scale."""
-        return scale * float(self.sds.mean()) < 0.01 * self.unit.height and self.share_within(scale) > 0.95
+        owned = self.legs >= 0
+        small = bool(owned.any()) and scale * float(self.sds[owned].mean()) < 0.01 * self.unit.height
+        return small and self.share_within(scale) > 0.95
 
     def share_within(self, scale: float) -> float:
         """Share of the points inside the window of the robust weights; points in the tips, which fit nothing, do not count."""
-        share: float = _share_within(self.residuals, self.biases, self.sds, self.at_tip, NO_WEIGHT * scale)
+        share: float = _share_within(self.residuals, self.biases, self.sds, self.at_tip, self.given, NO_WEIGHT * scale)
         return share
 
     def quantile_scale(self, share: float) -> float:
         """Scale of the residuals of all points, from the quantile of their sizes at ``share``."""
-        u = _sizes(self.residuals, self.biases, self.sds)
+        u = _sizes(self.residuals, self.biases, self.sds, self.given)
         u.partition(int(share * len(u)))
         scale = float(u[int(share * len(u))]) / _size_at(share)
         # a known noise still needs a wide start while the pose is rough

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 from scipy.stats import binom, chi2
 from tetratrack.core.errors import InputError
-from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, adjust
+from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, _Solver, adjust
 from tetratrack.core.pose import Pose, rotation_angle
 from tetratrack.core.residual_correlation import _LAGS, _lag_products, _pair_products
 from tetratrack.core.tetrapod import END_DISC, relate, sample_surface
@@ -330,6 +330,41 @@ def test_redundancy_and_detectable_bias() -> None:
     assert result.redundancy_numbers.sum() == pytest.approx(300 - 8, abs=1.5)
     assert (result.minimal_detectable_bias > 4.13 * result.noise * 0.99).all()
     assert np.isnan(adjust(points, UNIT, pose, options=IDEAL, legs=np.where(legs == 0, -1, legs)).residuals[legs == 0]).all()
+
+
+@pytest.mark.parametrize("count", [450, 3000])
+def test_points_left_out_do_not_count(count: int) -> None:
+    """Three of four points are left out as those of a neighbour; they once passed for bad points of the unit and blew up its scale."""
+    rng = np.random.default_rng(43)
+    pose, points, legs = cloud(rng, count, 0.01)
+    foreign = pose.centre + rng.uniform(-2, 2, (3 * count, 3))
+    start = pose.perturbed([0.1, -0.08, 0.06], [0.05, 0.04, -0.03])
+    order = rng.permutation(4 * count)
+    known = np.concatenate([legs, np.full(3 * count, -1)])[order]
+    with_them = adjust(np.vstack([points, foreign])[order], UNIT, start, options=IDEAL, legs=known)
+    without = adjust(points, UNIT, start, options=IDEAL, legs=legs)
+    deviations = np.sqrt(np.diag(without.covariance))
+    assert with_them.converged
+    assert np.all(np.abs(error(with_them, pose) - error(without, pose)) < 0.1 * deviations)
+    assert with_them.noise == pytest.approx(without.noise, rel=0.01)
+    assert not with_them.weights[known < 0].any()
+    with pytest.raises(InputError, match="5 points are too few"):
+        adjust(points, UNIT, start, legs=np.where(np.arange(count) < 5, legs, -1))
+
+
+def test_points_of_no_part_do_not_make_residuals_look_large() -> None:
+    """Their standard deviation is unknown; a placeholder of 1 m once stood for it, and no unit then looked like noise alone."""
+    rng = np.random.default_rng(44)
+    pose, points, _ = cloud(rng, 400, 0.01)
+    solver = _Solver(points, UNIT, pose, IDEAL, np.tile(1e-4 * np.eye(3), (len(points), 1, 1)), np.zeros(0, dtype=np.int64))
+    solver.linearise(1.0, redescend=False)
+    assert (solver.legs >= 0).all()
+    assert solver.looks_like_noise(1.0)
+    nowhere = rng.random(len(points)) < 0.04
+    solver.legs[nowhere], solver.sds[nowhere], solver.residuals[nowhere] = -1, 1.0, math.nan
+    assert solver.looks_like_noise(1.0)
+    solver.legs[:] = -1
+    assert not solver.looks_like_noise(1.0)
 
 
 def test_unusable_input_is_refused() -> None:
