@@ -104,8 +104,8 @@ class AdjustmentOptions:
             raise ValueError("leg_length_sd must be positive")
         if not 0 < self.tip <= 1:
             raise ValueError("tip is a share of the leg length, above 0 and at most 1")
-        if self.edge is not None and self.edge < 0:
-            raise ValueError("edge must not be negative")
+        if self.edge is not None and not self.edge >= 0:
+            raise ValueError("edge must be 0 or a positive length")
 
     @classmethod
     def ideal(cls, **changes: object) -> AdjustmentOptions:
@@ -410,7 +410,7 @@ def adjust(
     Raises
     ------
     InputError
-        Points that are not finite, or fewer points near the unit than parameters.
+        Points that are not finite, covariances that are not positive definite, or fewer points near the unit than parameters.
     """
     options = options or AdjustmentOptions()
     xyz = np.ascontiguousarray(points, dtype=np.float64)
@@ -422,6 +422,13 @@ def adjust(
     cov = np.zeros((0, 3, 3)) if covariances is None else np.ascontiguousarray(covariances, dtype=np.float64)
     if covariances is not None and cov.shape != (n, 3, 3):
         raise ValueError(f"covariances must be ({n}, 3, 3), got {cov.shape}")
+    unusable = n - np.count_nonzero(_positive_definite(cov)) if len(cov) else 0
+    if unusable:
+        raise InputError(
+            f"the covariances of {unusable} of {n} points are not finite and positive definite",
+            remedy="give each point a covariance in square metres with noise in all three directions, and leave out points without a GPS "
+            "time or sensor position",
+        )
     given = np.zeros(0, dtype=np.int64) if legs is None else np.ascontiguousarray(legs, dtype=np.int64)
     if legs is not None and (given.shape != (n,) or given.max(initial=0) > 3):
         raise ValueError(f"legs must be ({n},) numbers 0..3, or -1")
@@ -435,6 +442,16 @@ def adjust(
     scale = rough.approach()
     solver.restore(rough.state())
     return solver.solve(scale)
+
+
+def _positive_definite(cov: FloatArray) -> NDArray[np.bool_]:
+    """(n,) which of (n, 3, 3) symmetric matrices are finite and positive definite beyond rounding, by their leading minors."""
+    finite = np.isfinite(cov).all(axis=(1, 2))
+    a, b, c, d, e, f = (np.where(finite, cov[:, i, j], 0.0) for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
+    least = 1e-14 * (a + b + c)
+    second = a * b - d * d
+    third = c * second - a * f * f - b * e * e + 2 * d * e * f
+    return np.asarray((least > 0) & (a > least) & (second > least * a) & (third > least * second))
 
 
 @lru_cache
@@ -495,11 +512,11 @@ class _Solver:
             # once the way is short, every linearisation may be the last
             final = gain < 100.0
             sums = self.linearise(scale, redescend=options.robust, final=final)
-            if self.weights.sum() < MIN_POINTS:
+            before, gain = gain, self.step()
+            if self.weights.sum() < MIN_POINTS or not math.isfinite(gain):
                 raise InputError(
                     "too few points lie near the unit's surface to adjust it", remedy="check the approximate pose and the unit's height"
                 )
-            before, gain = gain, self.step()
             # the step takes its gain away from the sum of squares
             previous, scale = scale, self.refined_scale(scale, max(sums[0] - gain, 0.5 * sums[0]), sums[1])
             settled = abs(scale - previous) < 2e-3 * previous

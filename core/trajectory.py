@@ -55,13 +55,15 @@ class Trajectory:
         Raises
         ------
         InputError
-            A time outside the trajectory, or in a gap longer than ``MOST_GAP_SECONDS``.
+            A time outside the trajectory or missing (nan), or in a gap longer than ``MOST_GAP_SECONDS``.
         """
-        outside = (gps_time < self.times[0]) | (gps_time > self.times[-1])
+        outside = ~((gps_time >= self.times[0]) & (gps_time <= self.times[-1]))
         if outside.any():
+            known = gps_time[outside & ~np.isnan(gps_time)]
+            theirs = f"they have {known.min():.3f} to {known.max():.3f}" if len(known) else "they have none"
             raise InputError(
                 f"does not reach {int(outside.sum())} of {len(gps_time)} points of a unit: it covers GPS time {self.times[0]:.3f} to "
-                f"{self.times[-1]:.3f}, they have {gps_time[outside].min():.3f} to {gps_time[outside].max():.3f}",
+                f"{self.times[-1]:.3f}, {theirs}",
                 source=self.source,
                 remedy="Give the whole trajectory of this epoch, with gps_time counted as in the tiles (seconds of the week, or "
                 "standard GPS time less 1e9).",

@@ -378,9 +378,42 @@ def test_unusable_input_is_refused() -> None:
         adjust(np.random.default_rng(0).normal(size=(500, 3)) + 1000.0, UNIT, pose)
     with pytest.raises(ValueError, match="legs must be"):
         adjust(np.ones((20, 3)), UNIT, pose, legs=np.full(20, 4))
-    for wrong in ({"tip": 0.0}, {"sigma": -1.0}, {"radius_sd": -1.0}, {"edge": -0.1}, {"leg_length_sd": 0.0}):
+    for wrong in ({"tip": 0.0}, {"sigma": -1.0}, {"radius_sd": -1.0}, {"edge": -0.1}, {"edge": math.nan}, {"leg_length_sd": 0.0}):
         with pytest.raises(ValueError, match=r"must|share"):
             AdjustmentOptions(**wrong)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        np.full((3, 3), math.nan),
+        np.diag([1e-4, math.inf, 1e-4]),
+        np.zeros((3, 3)),
+        np.diag([1e-4, 1e-4, -1e-4]),
+        # noise along an oblique beam alone
+        np.full((3, 3), 1e-4),
+        1e-4 * np.array([[1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
+    ],
+    ids=["nan", "inf", "zero", "negative", "line", "indefinite"],
+)
+def test_unusable_covariances_are_refused(wrong: FloatArray) -> None:
+    pose, points, _ = cloud(np.random.default_rng(45), 200, 0.01)
+    covariances = np.tile(1e-4 * np.eye(3), (200, 1, 1))
+    covariances[[7, 80]] = wrong
+    with pytest.raises(InputError, match=r"covariances of 2 of 200 points.*all three directions"):
+        adjust(points, UNIT, pose, covariances=covariances)
+
+
+def test_beams_of_very_unequal_noise_are_used() -> None:
+    pose, points, _ = cloud(np.random.default_rng(46), 200, 0.01)
+    assert adjust(points, UNIT, pose, covariances=beam_covariances(points, np.add(pose.centre, [3.0, 20.0, 10.0]), 0.02, 1e-7)).noise > 0
+
+
+def test_a_step_that_is_not_finite_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    pose, points, _ = cloud(np.random.default_rng(47), 200, 0.01)
+    monkeypatch.setattr(_Solver, "step", lambda self, hold_shape=False: math.nan)
+    with pytest.raises(InputError, match="too few points lie near"):
+        adjust(points, UNIT, pose)
 
 
 def test_residuals_are_distances_to_the_adjusted_surface() -> None:
