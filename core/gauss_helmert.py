@@ -143,7 +143,7 @@ class Adjustment:
     n_effective
         Number of independent points with the same information, after the correlation between residuals.
     converged, iterations
-        Whether the last step was below 5 % of the parameters' standard deviations, and how many were made.
+        Whether the next step is expected below 5 % of the parameters' standard deviations, and how many were made.
     undetermined
         (k, 8) unit directions in parameter space (lengths in units of the leg length) that the points do not determine.
     legs_visible
@@ -527,8 +527,9 @@ class _Solver:
                 if self.find_discs(scale):
                     gain = math.inf
                     continue
-            # steps shorten at a rate, so that the next one is known
-            if gain < 0.25 and gain * min(gain / before, 1.0) < 2.5e-3 and settled:
+            # steps shorten at a rate, so that the next one is known; a first step tells of none and must be short itself
+            expected = gain * min(gain / before, 1.0) if math.isfinite(before) else gain
+            if gain < 0.25 and expected < 2.5e-3 and settled:
                 if self.close_legs(scale):
                     gain = math.inf
                     continue

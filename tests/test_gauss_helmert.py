@@ -416,6 +416,18 @@ def test_a_step_that_is_not_finite_is_refused(monkeypatch: pytest.MonkeyPatch) -
         adjust(points, UNIT, pose)
 
 
+@pytest.mark.parametrize(("gains", "iterations"), [((0.2, 0.1, 1e-3), 3), ((0.2, 0.02), 2), ((1e-3,), 1)])
+def test_next_step_is_foretold_from_two(gains: tuple[float, ...], iterations: int) -> None:
+    """One step tells no rate at which steps shorten: fits that stopped after one of half a deviation were off by up to 0.1."""
+    pose, points, _ = cloud(np.random.default_rng(48), 300, 0.02)
+    solver = _Solver(points, UNIT, pose, AdjustmentOptions.ideal(sigma=0.02), np.zeros((0, 3, 3)), np.zeros(0, dtype=np.int64))
+    left = iter(gains)
+    solver.step = lambda hold_shape=False: next(left)
+    result = solver.solve(0.02)
+    assert result.converged
+    assert result.iterations == iterations
+
+
 def test_residuals_are_distances_to_the_adjusted_surface() -> None:
     pose, points, _ = cloud(np.random.default_rng(31), 1500, 0.02)
     result = adjust(points, UNIT, pose.perturbed([0.05, -0.04, 0.03], [0.03, 0.02, -0.02]), options=IDEAL)
