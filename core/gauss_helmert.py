@@ -461,7 +461,13 @@ def _size_at(share: float) -> float:
 
 
 class _Solver:
-    """State of one adjustment; a class because its steps share a dozen work arrays."""
+    """State of one adjustment; a class because its steps share a dozen work arrays.
+
+    A residual is in metres, and its standard deviation is ``scale`` times the point's in ``sds``. Without covariances ``sds`` is 1 and a
+    scale is in metres: the noise. With covariances ``sds`` is what they give in the direction of the residual, metres, and a scale is a
+    factor on it; where metres are needed before a point's direction is known (``noise`` in the methods), it is times ``mean_sd``. Points of
+    no part keep 1 in ``sds``.
+    """
 
     def __init__(self, xyz: FloatArray, unit: UnitType, pose: Pose, options: AdjustmentOptions, cov: FloatArray, given: IntArray) -> None:
         self.unit, self.options = unit, options
@@ -486,6 +492,7 @@ class _Solver:
         self.floor = 1e-7 * unit.height if not len(cov) else 1e-7
 
     def take(self, xyz: FloatArray, cov: FloatArray, given: IntArray) -> None:
+        """Points to adjust to, and new work arrays for them: (n, 3), (n, 3, 3) or none, (n,) or none."""
         n = len(xyz)
         self.xyz, self.cov, self.given = xyz, cov, given
         self.columns = np.ascontiguousarray(xyz.T)
@@ -495,10 +502,11 @@ class _Solver:
         self.rows, self.feet = np.zeros((n, 12)), np.zeros((n, 3))
 
     def sampled(self, some: IntArray) -> _Solver:
-        """A solver of some of the points that leaves this one's pose alone; the other work arrays are shared."""
+        """A solver of some of the points that leaves this one's pose, legs and discs alone; the normal equations are shared."""
         sample = copy(self)
         sample.take(self.xyz[some], self.cov[some] if len(self.cov) else self.cov, self.given[some] if len(self.given) else self.given)
         sample.restore(self.state())
+        sample.opened, sample.discs = self.opened.copy(), self.discs.copy()
         return sample
 
     def solve(self, scale: float) -> Adjustment:
@@ -549,22 +557,23 @@ class _Solver:
         ones are tried only if the residuals do not look like noise, and the best pose is kept.
         """
         start = self.state()
-        best: tuple[float, float, tuple[FloatArray, ...]] = (math.inf, math.inf, start)
+        best: tuple[float, float, bool, tuple[FloatArray, ...]] = (math.inf, math.inf, False, start)
         for window in (1.0, 0.4, 0.15) if self.options.robust else (1.0,):
             self.restore(start)
             scale = self.approach_through(window)
             # most points close, and those that belong very close
             misfit = self.quantile_scale(0.6) + scale
-            if misfit < best[0]:
-                best = misfit, scale, self.state()
             noise_alone = self.looks_like_noise(scale)
+            if misfit < best[0]:
+                best = misfit, scale, noise_alone, self.state()
             if noise_alone:
                 break
-        self.restore(best[2])
+        _, scale, noise_alone, nearest = best
+        self.restore(nearest)
         if noise_alone:
-            return best[1]
+            return scale
         # from below: bad points just outside the window must not find it open
-        return max(0.85 * best[1], self.options.sigma or self.floor)
+        return max(0.85 * scale, self.options.sigma or self.floor)
 
     def approach_through(self, window: float) -> float:
         """One approach: pose alone until it settles, then all parameters with the window narrowed below the noise and widened again.
@@ -604,9 +613,11 @@ class _Solver:
         return scale
 
     def state(self) -> tuple[FloatArray, ...]:
+        """Copies of centre, rotation, shape and errors of the leg lengths."""
         return self.centre.copy(), self.rotation.copy(), self.shape.copy(), self.leg_errors.copy()
 
     def restore(self, state: tuple[FloatArray, ...]) -> None:
+        """Go back to a :meth:`state`, which stays as it is; the normal equations and residuals are those of another pose then."""
         self.centre, self.rotation, self.shape, self.leg_errors = (part.copy() for part in state)
 
     def linearise(self, scale: float, *, redescend: bool, final: bool = False) -> tuple[float, float]:
@@ -636,6 +647,7 @@ class _Solver:
         return edge, min(self.unit.leg_length + noise, self.tip / max(share, 1e-9)), max(0.5 * edge, 2.0 * noise)
 
     def free(self) -> NDArray[np.bool_]:
+        """(12,) which unknowns are adjusted: those not held fixed, and the leg lengths whose end discs are in use."""
         free = self.prior_sd > 0
         free[8:] = self.discs
         return free
@@ -671,6 +683,7 @@ class _Solver:
         return min(max(scale, self.options.sigma or self.floor), 1e6 * self.unit.height)
 
     def refined_scale(self, scale: float, squares: float, weight_sum: float) -> float:
+        """Scale after a linearisation with ``scale``: the known one, or :meth:`scale_of` above the smallest that makes sense."""
         if self.options.sigma is not None:
             return self.options.sigma
         return max(self.scale_of(scale, squares, weight_sum), self.floor)

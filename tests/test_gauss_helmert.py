@@ -416,6 +416,31 @@ def test_a_step_that_is_not_finite_is_refused(monkeypatch: pytest.MonkeyPatch) -
         adjust(points, UNIT, pose)
 
 
+def test_scale_of_the_approach_goes_with_its_pose() -> None:
+    """The last window looks like noise alone, but the first is nearer: its scale is that of points some of which may be bad."""
+    pose, points, _ = cloud(np.random.default_rng(49), 300, 0.02)
+    solver = _Solver(points, UNIT, pose, IDEAL, np.zeros((0, 3, 3)), np.zeros(0, dtype=np.int64))
+    scales, misfits = {1.0: 0.02, 0.4: 0.03}, {0.02: 0.02, 0.03: 0.04}
+    solver.approach_through = lambda window: scales[window]
+    solver.looks_like_noise = lambda scale: scale == 0.03
+    solver.quantile_scale = lambda share: next(left)
+    left = iter(misfits.values())
+    assert solver.approach() == pytest.approx(0.85 * 0.02)
+
+
+def test_a_sample_leaves_the_solver_as_it_was() -> None:
+    pose, points, _ = cloud(np.random.default_rng(50), 600, 0.02)
+    solver = _Solver(points, UNIT, pose, IDEAL, np.zeros((0, 3, 3)), np.zeros(0, dtype=np.int64))
+    sample = solver.sampled(np.arange(0, 600, 2))
+    before = solver.state()
+    sample.opened[0], sample.discs[1] = False, True
+    sample.approach()
+    assert solver.opened.all()
+    assert not solver.discs.any()
+    for mine, then in zip(solver.state(), before, strict=True):
+        assert mine == pytest.approx(then, abs=0)
+
+
 @pytest.mark.parametrize(("gains", "iterations"), [((0.2, 0.1, 1e-3), 3), ((0.2, 0.02), 2), ((1e-3,), 1)])
 def test_next_step_is_foretold_from_two(gains: tuple[float, ...], iterations: int) -> None:
     """One step tells no rate at which steps shorten: fits that stopped after one of half a deviation were off by up to 0.1."""
