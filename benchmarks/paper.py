@@ -23,11 +23,12 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 from scipy.stats import chi2
-from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, adjust, beam_covariances
+from tetratrack.core.gauss_helmert import Adjustment, AdjustmentOptions, adjust
 from tetratrack.core.literal_model import fit_literal, literal_axes
 from tetratrack.core.pose import Pose
 from tetratrack.core.simulation import interlocked_poses, interlocked_rows, single_unit
 from tetratrack.core.tetrapod import sample_surface
+from tetratrack.core.trajectory import beam_covariances
 from tetratrack.core.unit_types import RADIUS_RATIO, UnitType
 
 FloatArray = np.ndarray

@@ -13,8 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .cone_conditions import linearise_points, planes_between_legs
 from .errors import InputError
-from .gauss_helmert import MIN_POINTS, linearise_points, planes_between_legs
+from .gauss_helmert import MIN_POINTS
 from .pose import Pose
 from .unit_types import UnitType
 
@@ -167,7 +168,7 @@ def literal_start(pose: Pose) -> tuple[float, float]:
 def _linearise(
     xyz: FloatArray, centre: FloatArray, angles: FloatArray, shape: FloatArray, given: IntArray, scale: float, correct: float
 ) -> tuple[FloatArray, FloatArray, IntArray, FloatArray, FloatArray]:
-    """Normal matrix (8, 8) and right-hand side (8,) of :func:`.gauss_helmert.linearise_points`, and legs, residuals and biases."""
+    """Normal matrix (8, 8) and right-hand side (8,) of :func:`.cone_conditions.linearise_points`, and legs, residuals and biases."""
     n = len(xyz)
     axes = literal_axes(*angles)
     creases, spread = planes_between_legs(axes)

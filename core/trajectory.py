@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from .errors import InputError
 
@@ -55,13 +55,15 @@ class Trajectory:
         Raises
         ------
         InputError
-            A time outside the trajectory, or in a gap longer than ``MOST_GAP_SECONDS``.
+            A time outside the trajectory or missing (nan), or in a gap longer than ``MOST_GAP_SECONDS``.
         """
-        outside = (gps_time < self.times[0]) | (gps_time > self.times[-1])
+        outside = ~((gps_time >= self.times[0]) & (gps_time <= self.times[-1]))
         if outside.any():
+            known = gps_time[outside & ~np.isnan(gps_time)]
+            theirs = f"they have {known.min():.3f} to {known.max():.3f}" if len(known) else "they have none"
             raise InputError(
                 f"does not reach {int(outside.sum())} of {len(gps_time)} points of a unit: it covers GPS time {self.times[0]:.3f} to "
-                f"{self.times[-1]:.3f}, they have {gps_time[outside].min():.3f} to {gps_time[outside].max():.3f}",
+                f"{self.times[-1]:.3f}, {theirs}",
                 source=self.source,
                 remedy="Give the whole trajectory of this epoch, with gps_time counted as in the tiles (seconds of the week, or "
                 "standard GPS time less 1e9).",
@@ -212,13 +214,34 @@ def noise_of(epoch: Epoch, checksum: Callable[[Path], str]) -> BeamNoise | None:
     return BeamNoise(epoch.range_sd, math.radians(epoch.angle_sd), epoch.trajectory, epoch.stations, checksums)
 
 
+def beam_covariances(points: ArrayLike, sensors: ArrayLike, range_sd: float, angle_sd: float) -> FloatArray:
+    """(n, 3, 3) covariance of points measured along beams, square metres.
+
+    Parameters
+    ----------
+    points
+        (n, 3) metres.
+    sensors
+        (3,) or (n, 3) position of the sensor at the time of each point, in the same frame.
+    range_sd
+        Standard deviation along the beam, metres.
+    angle_sd
+        Standard deviation of each of the two directions, radians.
+    """
+    beams = np.asarray(points, dtype=np.float64) - np.asarray(sensors, dtype=np.float64)
+    ranges = np.linalg.norm(beams, axis=1)
+    if (ranges == 0).any():
+        raise ValueError("a point coincides with its sensor")
+    directions = beams / ranges[:, None]
+    along = directions[:, :, None] * directions[:, None, :]
+    return np.asarray(range_sd**2 * along + ((angle_sd * ranges) ** 2)[:, None, None] * (np.eye(3) - along))
+
+
 def surface_covariances(points: FloatArray, sensors: FloatArray, range_sd: float, angle_sd: float, roughness: float) -> FloatArray:
     """(n, 3, 3) covariance, square metres, of points of a surface measured from (n, 3) sensors in their frame.
 
     ``range_sd``, ``angle_sd`` and ``roughness`` as in :class:`BeamNoise`.
     """
-    from .gauss_helmert import beam_covariances
-
     return np.asarray(beam_covariances(points, sensors, range_sd, angle_sd) + roughness**2 * np.eye(3))
 
 

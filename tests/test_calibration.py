@@ -12,11 +12,12 @@ from scipy.spatial.transform import Rotation
 from tetratrack.core.calibration import calibrate
 from tetratrack.core.errors import InputError
 from tetratrack.core.feature_points import body_features
-from tetratrack.core.gauss_helmert import AdjustmentOptions, beam_covariances
+from tetratrack.core.gauss_helmert import AdjustmentOptions
 from tetratrack.core.literal_model import fit_literal, literal_axes, literal_start
 from tetratrack.core.pose import Pose
 from tetratrack.core.segmentation import segment
 from tetratrack.core.tetrapod import sample_surface
+from tetratrack.core.trajectory import beam_covariances
 from tetratrack.core.unit_types import UnitType
 
 NOMINAL = UnitType.tetrapod(2.92)

@@ -15,12 +15,12 @@ from tetratrack.core.block_jobs import ROUGHNESS_RATIO, FitJob
 from tetratrack.core.epoch_plans import plan_survey
 from tetratrack.core.errors import InputError
 from tetratrack.core.feedback import Feedback
-from tetratrack.core.gauss_helmert import AdjustmentOptions, adjust, beam_covariances
+from tetratrack.core.gauss_helmert import AdjustmentOptions, adjust
 from tetratrack.core.pose import Pose
 from tetratrack.core.run_options import RunOptions
 from tetratrack.core.survey import read_survey
 from tetratrack.core.tetrapod import sample_surface
-from tetratrack.core.trajectory import BeamNoise, read_stations, read_trajectory
+from tetratrack.core.trajectory import BeamNoise, beam_covariances, read_stations, read_trajectory
 from tetratrack.core.unit_types import UnitType
 from tetratrack.core.workflow import run_survey
 
@@ -64,6 +64,10 @@ def test_a_trajectory_says_nothing_beyond_its_ends_and_in_gaps(tmp_path: Path) -
     trajectory = read_trajectory(write(tmp_path / "t.csv", "gps_time,x,y,z", "10,0,0,50", "10.5,2,0,50", "20,9,0,50", "20.5,9,0,50"))
     with pytest.raises(InputError, match=r"does not reach 2 of 3 points of a unit: it covers GPS time 10.000 to 20.500"):
         trajectory.at(np.array([9.0, 10.2, 20.6]))
+    with pytest.raises(InputError, match=r"does not reach 2 of 3 points .* they have 20.600 to 20.600"):
+        trajectory.at(np.array([np.nan, 10.2, 20.6]))
+    with pytest.raises(InputError, match=r"does not reach 1 of 2 points .* they have none"):
+        trajectory.at(np.array([10.2, np.nan]))
     with pytest.raises(InputError, match=r"no position between GPS time 10.500 and 20.000"):
         trajectory.at(np.array([10.2, 15.0]))
     # a turn between two flight lines may be cut out

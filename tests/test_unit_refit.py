@@ -16,12 +16,12 @@ from tetratrack.core.control import Transformation, transformation_of
 from tetratrack.core.displacement_rows import read_details, read_epochs, read_unit_rows
 from tetratrack.core.errors import InputError
 from tetratrack.core.feedback import Feedback
-from tetratrack.core.gauss_helmert import beam_covariances
 from tetratrack.core.outline import rotation_of_quaternion
 from tetratrack.core.pose import Pose
 from tetratrack.core.result_tables import epoch_pairs, read_layer_rows
 from tetratrack.core.survey import read_survey
 from tetratrack.core.tetrapod import sample_surface
+from tetratrack.core.trajectory import beam_covariances
 from tetratrack.core.unit_edits import NewPose, read_edits, set_pose
 from tetratrack.core.unit_points import PointIndex, index_folder, write_index
 from tetratrack.core.unit_refit import index_unit_points, refit_unit
