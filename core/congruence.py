@@ -56,23 +56,30 @@ class NullModel:
         return f_p_value(statistics, self.tail)
 
 
-def calibrated(covariance: FloatArray, nulls: Sequence[tuple[NullModel, NullModel]]) -> FloatArray:
-    """(6, 6) covariance of a pose from that of its adjustment, as the stable units calibrate it.
+@dataclass(frozen=True, eq=False)
+class PoseCalibration:
+    """What the stable units say of the covariances of the poses of one epoch.
 
-    Parameters
+    Attributes
     ----------
-    covariance
-        (6, 6) of e, n, h and the rotation vector, as adjusted.
-    nulls
-        Calibration of positions and of rotations in every epoch pair that the pose's epoch belongs to; their medians are taken. Without
-        any the covariance stays as it is.
+    factors, floors
+        (6,) factors of the standard deviations of e, n, h and the rotation vector, and deviations (metres, radians) of a difference of
+        two epochs that are added.
     """
-    if not nulls:
-        return covariance.copy()
-    factors = np.repeat([np.median([null.factor for null in kind]) for kind in zip(*nulls, strict=True)], 3)
-    floors = np.repeat([np.median([null.floor for null in kind]) for kind in zip(*nulls, strict=True)], 3)
-    # the floor of a difference belongs half to each of its epochs
-    return np.asarray(covariance * np.outer(factors, factors) + np.diag(0.5 * floors**2))
+
+    factors: FloatArray
+    floors: FloatArray
+
+    @classmethod
+    def of_pairs(cls, pairs: Sequence[tuple[float, float, float, float]]) -> PoseCalibration:
+        """From factor and floor of positions, then of rotations, in every pair the epoch belongs to: their medians; none change nothing."""
+        factor, floor, turn_factor, turn_floor = np.median(np.array(pairs or [(1.0, 0.0, 1.0, 0.0)]), axis=0)
+        return cls(np.repeat([factor, turn_factor], 3), np.repeat([floor, turn_floor], 3))
+
+    def covariance(self, covariance: FloatArray) -> FloatArray:
+        """(6, 6) covariance of a pose from that of its adjustment."""
+        # the floor of a difference belongs half to each of its epochs
+        return np.asarray(covariance * np.outer(self.factors, self.factors) + np.diag(0.5 * self.floors**2))
 
 
 def f_p_value(statistics: FloatArray, tail: float) -> FloatArray:

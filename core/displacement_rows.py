@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .errors import InputError
-from .outline import LEG_LENGTH_RATIO, LEGS, PlacedShape, rotation_of_quaternion
+from .outline import PlacedShape, rotation_of_quaternion
 from .result_tables import EpochPair, Row, connect, parse_settings, parse_time, query, read_layer_rows, table_names
 from .schema import DATUMS
+from .unit_types import LEG_LENGTH_RATIO, Opening, UnitType, leg_directions
 
 if TYPE_CHECKING:
     from .survey import Survey
-    from .unit_types import Opening, UnitType
 
 FloatArray = NDArray[np.float64]
 
@@ -165,7 +165,7 @@ class UnitSize:
     name: str | None
     height: float | None
     leg_length: float
-    opening: str = "tetrahedral"
+    opening: Opening = "tetrahedral"
 
 
 @dataclass(frozen=True)
@@ -284,7 +284,7 @@ def shape_of(row: Row, sizes: Sequence[UnitSize] = ()) -> PlacedShape | None:
         return None
     rotation = rotation_of_quaternion([row["qx"], row["qy"], row["qz"], row["qw"]])
     size = size_of(row, sizes)
-    return PlacedShape(row["geom"], rotation, float(row["r0"]), float(row["gradient"]), size.leg_length, LEGS[size.opening])
+    return PlacedShape(row["geom"], rotation, float(row["r0"]), float(row["gradient"]), size.leg_length, leg_directions(size.opening))
 
 
 def unit_sizes(epochs: Sequence[EpochInfo]) -> tuple[UnitSize, ...]:
@@ -292,11 +292,16 @@ def unit_sizes(epochs: Sequence[EpochInfo]) -> tuple[UnitSize, ...]:
     for epoch in epochs:
         types, leg_length = epoch.settings.get("unit_types"), epoch.settings.get("leg_length")
         if isinstance(types, list):
-            return tuple(UnitSize(str(t["name"]), float(t["height"]), float(t["leg_length"]), str(t["opening"])) for t in types)
+            return tuple(_unit_size(kind) for kind in types)
         # earlier versions state that of the first type only
         if isinstance(leg_length, int | float) and len(epoch.settings.get("unit", ())) < 2:
             return (UnitSize(None, None, float(leg_length)),)
     return ()
+
+
+def _unit_size(record: Row) -> UnitSize:
+    opening: Opening = "paper" if record["opening"] == "paper" else "tetrahedral"
+    return UnitSize(str(record["name"]), float(record["height"]), float(record["leg_length"]), opening)
 
 
 def size_of(row: Row, sizes: Sequence[UnitSize]) -> UnitSize:
@@ -310,17 +315,13 @@ def size_of(row: Row, sizes: Sequence[UnitSize]) -> UnitSize:
 
 def unit_of(row: Row, sizes: Sequence[UnitSize]) -> UnitType:
     """Geometry of the unit of a row of ``units``, as fitted."""
-    # SciPy comes with it, which QGIS's Python may lack
-    from .unit_types import UnitType
-
     size = size_of(row, sizes)
-    opening: Opening = "paper" if size.opening == "paper" else "tetrahedral"
     return UnitType.tetrapod(
         row["height"],
         radius=row["r0"],
         gradient=row["gradient"],
         leg_length=size.leg_length,
-        opening=opening,
+        opening=size.opening,
         name=row.get("unit_type") or "tetrapod",
     )
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .control import Transformation
+from .control import Transformation, transformation_of
 from .displacement import grades_from
 from .errors import InputError
 from .feedback import Feedback
@@ -232,8 +232,9 @@ def _transformations(registrations: Sequence[Path]) -> tuple[dict[str, Transform
     found, references = {}, {}
     for path in registrations:
         for row in read_layer_rows(path, "epochs"):
-            if row.get("transformation"):
-                found[str(row["label"])] = Transformation.from_record(json.loads(row["transformation"]))
+            known = transformation_of(json.loads(row.get("transformation") or "{}"))
+            if known is not None:
+                found[str(row["label"])] = known
             if row.get("reference_epoch"):
                 references[str(row["label"])] = str(row["reference_epoch"])
     return found, references

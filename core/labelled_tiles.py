@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import astuple
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from .aggregation import assign
 from .control import transformation_of
 from .crs import tile_transform
-from .displacement_rows import UnitSize, epochs_of, unit_of, unit_sizes
+from .displacement_rows import epochs_of, unit_of, unit_sizes
 from .epoch_plans import plan_survey
 from .errors import InputError, OutputError
 from .feedback import Feedback
@@ -53,7 +53,10 @@ def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: F
     for plan in plans:
         transformation = transformation_of(infos[plan.epoch.label].transformation)
         to_control = (lambda xyz: xyz) if transformation is None else transformation.apply
-        units = [row for row in rows if row["epoch"] == plan.epoch.label]
+        units: dict[UnitType, list[Row]] = {}
+        for row in rows:
+            if row["epoch"] == plan.epoch.label:
+                units.setdefault(unit_of(row, sizes), []).append(row)
         for tile in plan.tiles:
             feedback.check()
             feedback.progress(0.05 + 0.95 * done / total, f"labelling {tile.path.name}")
@@ -62,7 +65,7 @@ def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: F
                 target.parent.mkdir(parents=True, exist_ok=True)
             except OSError as error:
                 raise OutputError(f"cannot be made ({error.strerror})", source=target.parent, remedy="Choose another folder.") from error
-            labelled += _write_tile(tile, target, survey.crs, plan.epoch.tiles_crs, units, sizes, to_control)
+            labelled += _write_tile(tile, target, survey.crs, plan.epoch.tiles_crs, units, to_control)
             done += 1
     return {"folder": str(folder), "tiles": done, "points": labelled}
 
@@ -72,8 +75,7 @@ def _write_tile(
     target: Path,
     survey_crs: str,
     tiles_crs: str | None,
-    units: list[Row],
-    sizes: Sequence[UnitSize],
+    units: Mapping[UnitType, list[Row]],
     to_control: Callable[[FloatArray], FloatArray],
 ) -> int:
     """Copy one tile by chunks with the dimension added; returns how many points belong to a unit."""
@@ -100,7 +102,7 @@ def _write_tile(
                 with laspy.open(str(temporary), mode="w", header=header, laz_backend=laspy.LazBackend.Lazrs, do_compress=True) as writer:
                     for chunk in tile_chunks(reader, tile.path):
                         xyz = np.column_stack([chunk.x, chunk.y, chunk.z]).astype(np.float64, copy=False)
-                        numbers = _numbers(to_control(xyz if transform is None else transform(xyz)), units, sizes)
+                        numbers = _numbers(to_control(xyz if transform is None else transform(xyz)), units)
                         points = laspy.ScaleAwarePointRecord.zeros(len(chunk), header=header)
                         points.copy_fields_from(chunk)
                         points[DIMENSION] = numbers
@@ -112,17 +114,14 @@ def _write_tile(
     return labelled
 
 
-def _numbers(points: FloatArray, units: list[Row], sizes: Sequence[UnitSize]) -> NDArray[np.uint32]:
+def _numbers(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> NDArray[np.uint32]:
     """(n,) number of the unit of each point of the control frame, 0 for none."""
     numbers = np.zeros(len(points), dtype=np.uint32)
     if not len(points):
         return numbers
     origin = np.floor(points.mean(axis=0))
     nearest = np.full(len(points), np.inf)
-    by_shape: dict[UnitType, list[Row]] = {}
-    for row in units:
-        by_shape.setdefault(unit_of(row, sizes), []).append(row)
-    for unit, members in sorted(by_shape.items(), key=lambda item: astuple(item[0])):
+    for unit, members in sorted(units.items(), key=lambda item: astuple(item[0])):
         poses = [Pose.from_quaternion(row["geom"] - origin, [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in members]
         table = np.array([np.concatenate([pose.centre, pose.rotation.ravel()]) for pose in poses])
         labels, distance = assign(points - origin, table, unit, NEAR_SURFACE_HEIGHTS * unit.height)

@@ -14,30 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
 
-TETRAHEDRAL_LEGS: FloatArray = np.array(
-    [
-        [0, 0, 1],
-        [math.sqrt(8) / 3, 0, -1 / 3],
-        [-math.sqrt(2) / 3, math.sqrt(2 / 3), -1 / 3],
-        [-math.sqrt(2) / 3, -math.sqrt(2 / 3), -1 / 3],
-    ]
-)
-TETRAHEDRAL_LEGS.setflags(write=False)
-PAPER_LEGS: FloatArray = np.array(
-    [
-        [0, 0, 1],
-        [math.sqrt(3) / 2, 0, -1 / 2],
-        [-math.sqrt(3) / 4, 3 / 4, -1 / 2],
-        [-math.sqrt(3) / 4, -3 / 4, -1 / 2],
-    ]
-)
-PAPER_LEGS.setflags(write=False)
-LEGS = {"tetrahedral": TETRAHEDRAL_LEGS, "paper": PAPER_LEGS}
-"""(4, 3) directions of the legs in the body frame by the type's opening, as :class:`.UnitType` has them."""
 VOLUME_RATIO = 0.280
 """Volume of a standard tetrapod over H^3 (Shore Protection Manual, 1984)."""
-LEG_LENGTH_RATIO = 0.644
-"""Centre to end disc as a fraction of H (Shore Protection Manual), where the result does not say otherwise."""
 
 
 @dataclass(frozen=True, eq=False)

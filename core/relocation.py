@@ -137,7 +137,7 @@ def _recognised(left: dict[int, FittedUnit], came: dict[int, FittedUnit]) -> lis
         for new in arrived:
             relief = _relief_of(came[new])
             for old in reliefs:
-                if left[old].kind == came[new].kind and reliefs[old].tells and relief.tells:
+                if left[old].kind == came[new].kind:
                     match = likeness(reliefs[old], relief, left[old].shape)
                     if match.same_unit:
                         found.append((match.lead, old, new, match.symmetry))

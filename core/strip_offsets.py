@@ -330,16 +330,14 @@ class _JointSolver:
         for epoch, median in enumerate(within):
             if not math.isnan(median.value):
                 self.noise[epoch] = 1.4826 * median.value
-        if not math.isnan(spread.value):
-            noise = float(np.nanmedian(self.noise))
-            robust = (1.4826 * spread.value) ** 2
-            self.surface_sd = math.sqrt(max(robust - noise**2 * share.value, (0.05 * noise) ** 2))
         height = max(s.shape.height for s in self.sightings)
         known = self.noise[np.isfinite(self.noise)]
         self.noise[np.isnan(self.noise)] = np.median(known) if len(known) else UNKNOWN_NOISE_RATIO * height
         # points without noise have no weights, surfaces without deviations no prior
         self.noise = np.maximum(self.noise, 1e-7 * height)
-        self.surface_sd = max(self.surface_sd, 0.05 * float(self.noise.min()))
+        noise = float(np.median(self.noise))
+        beyond = 0.0 if math.isnan(spread.value) else (1.4826 * spread.value) ** 2 - noise**2 * share.value
+        self.surface_sd = math.sqrt(max(beyond, (0.05 * noise) ** 2))
 
     @staticmethod
     def _add_deviations(seen: _Observations, within: StreamedMedian, spread: StreamedMedian, share: StreamedMedian) -> None:

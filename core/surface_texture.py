@@ -45,11 +45,6 @@ class Texture:
     points: FloatArray
     heights: FloatArray
 
-    @property
-    def tells(self) -> bool:
-        """Whether there are points enough to compare it with another."""
-        return len(self.points) >= MIN_PAIRS
-
 
 @dataclass(frozen=True, eq=False)
 class Likeness:
@@ -92,6 +87,8 @@ def texture(points: FloatArray, sources: NDArray[np.integer], pose: Pose, unit: 
 
 def likeness(first: Texture, second: Texture, unit: UnitType) -> Likeness:
     """Compare two textures under all rotations of the body."""
+    if min(len(first.points), len(second.points)) < MIN_PAIRS:
+        return Likeness(np.eye(3), 0.0, 0.0)
     step = max(1, len(second.points) // MAX_POINTS)
     points, heights = second.points[::step], second.heights[::step]
     tree = cKDTree(first.points)

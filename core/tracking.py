@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from scipy.linalg import block_diag
 from scipy.spatial import cKDTree
 
-from .congruence import Congruence, NullModel, calibrate, calibrated, congruence_of
+from .congruence import Congruence, NullModel, PoseCalibration, calibrate, congruence_of
 from .control import Transformation, mean_offset_variance
 from .cross_check import CrossCheck, cross_check
 from .displacement import (
@@ -139,6 +139,12 @@ class EpochPair:
     turn_null: NullModel
     units: tuple[PairMotion, ...]
 
+    @property
+    def calibration(self) -> tuple[float, float, float, float]:
+        """Factor and floor of positions, then of rotations."""
+        null, turn = self.congruence.null, self.turn_null
+        return null.factor, null.floor, turn.factor, turn.floor
+
 
 @dataclass(frozen=True, eq=False)
 class Tracking:
@@ -154,6 +160,8 @@ class Tracking:
         By epoch: transformation to control with the uncertainty of the mean offset of its strips or stations added.
     pairs
         All pairs of epochs.
+    calibrations
+        By epoch: what its pairs say of the covariances of its poses.
     joint
         Joint adjustment with offsets of strips and stations.
     cross_checks
@@ -168,6 +176,7 @@ class Tracking:
     units: tuple[dict[int, TrackedUnit], ...]
     registrations: tuple[Transformation | None, ...]
     pairs: tuple[EpochPair, ...]
+    calibrations: tuple[PoseCalibration, ...]
     joint: JointAdjustment
     cross_checks: dict[tuple[int, int, int], CrossCheck]
     velocities: dict[int, tuple[Velocity, ...]]
@@ -211,13 +220,15 @@ def track(epochs: Sequence[TrackedEpoch], units: Sequence[UnitType], surrounding
     odd = _odd_sizes(joint, np.array([t.kind for t in tracks], dtype=np.int64))
     tracked = [_states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
     pairs = tuple(_compare(a, b, epochs, units, tracks, tracked, joint, numbers) for a, b in combinations(range(len(epochs)), 2))
+    calibrations = tuple(PoseCalibration.of_pairs([p.calibration for p in pairs if k in (p.first, p.second)]) for k in range(len(epochs)))
     checks = _cross_checks(seen, joint, numbers, len(epochs))
-    velocities = _velocities(epochs, units, tracks, tracked, pairs) if len(epochs) > 2 else {}
+    velocities = _velocities(epochs, units, tracks, tracked, pairs, calibrations) if len(epochs) > 2 else {}
     return Tracking(
         tuple(t.kind for t in tracks),
         tuple(tracked),
         tuple(e.placement for e in epochs),
         pairs,
+        calibrations,
         joint,
         checks,
         velocities,
@@ -505,6 +516,7 @@ def _velocities(
     tracks: Sequence[Track],
     tracked: Sequence[dict[int, TrackedUnit]],
     pairs: Sequence[EpochPair],
+    calibrations: Sequence[PoseCalibration],
 ) -> dict[int, tuple[Velocity, ...]]:
     """Velocities of units seen in more than two epochs, each epoch brought into the first one's datum ``stable``."""
     years = np.array([e.time.timestamp() for e in epochs]) / SECONDS_PER_YEAR
@@ -515,7 +527,7 @@ def _velocities(
         have = [e for e in have if e == 0 or e in to_first]
         if len(have) < 3 or tracks[k].relocated:
             continue
-        points = [_placed(states[e], units[tracks[k].kind], own_covariance(pairs, e, states[e]), to_first.get(e)) for e in have]
+        points = [_placed(states[e], units[tracks[k].kind], calibrations[e], to_first.get(e)) for e in have]
         result[k] = tuple(
             velocity(
                 f, years[have], np.array([p.positions[f] for p in points]), np.array([p.covariances[f] for p in points]),
@@ -526,22 +538,15 @@ def _velocities(
     return result
 
 
-def own_covariance(pairs: Sequence[EpochPair], epoch: int, state: TrackedUnit) -> FloatArray:
-    """(6, 6) covariance of a pose without registration: of the joint adjustment, calibrated by the pairs its epoch belongs to."""
-    if state.covariance is None:
-        raise ValueError("a unit without pose has no covariance")
-    return calibrated(state.covariance, [(p.congruence.null, p.turn_null) for p in pairs if epoch in (p.first, p.second)])
-
-
-def _placed(state: TrackedUnit, unit: UnitType, own: FloatArray, to_first: EpochPair | None) -> FeaturePoints:
+def _placed(state: TrackedUnit, unit: UnitType, calibration: PoseCalibration, to_first: EpochPair | None) -> FeaturePoints:
     """Feature points in the first epoch's datum.
 
-    Their covariance is the epoch's ``own`` (6, 6) one and, in later epochs, that of the motion from the first one to them.
+    Their covariance is the epoch's own one, calibrated, and, in later epochs, that of the motion from the first one to them.
     """
-    if state.pose is None:
+    if state.pose is None or state.covariance is None:
         raise ValueError("a unit without pose has no feature points")
     covariance = np.zeros((8, 8))
-    covariance[:6, :6] = own
+    covariance[:6, :6] = calibration.covariance(state.covariance)
     points = feature_points(state.pose, unit_shape(unit, state.scale), covariance)
     if to_first is None:
         return points

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from .displacement import Grade, UnitMotion, grade
 from .feature_points import FEATURES
 from .result_rows import covariance_fields, feature_rows
-from .tracking import DATUMS, EpochPair, TrackedEpoch, TrackedUnit, Tracking, own_covariance, unit_shape
+from .tracking import DATUMS, EpochPair, TrackedEpoch, TrackedUnit, Tracking, unit_shape
 from .unit_types import UnitType
 
 FloatArray = NDArray[np.float64]
@@ -46,10 +46,10 @@ def unit_names(count: int) -> list[str]:
 
 def pose_covariance(tracking: Tracking, epoch: int, state: TrackedUnit) -> FloatArray:
     """(8, 8) covariance of a pose in the control frame: calibrated joint adjustment and registration; shape held."""
-    if state.pose is None:
+    if state.covariance is None or state.pose is None:
         raise ValueError("a unit without pose has no covariance")
     covariance = np.zeros((8, 8))
-    covariance[:6, :6] = own_covariance(tracking.pairs, epoch, state)
+    covariance[:6, :6] = tracking.calibrations[epoch].covariance(state.covariance)
     registration = tracking.registrations[epoch]
     if registration is not None:
         covariance[:6, :6] += registration.pose_covariance(state.pose)

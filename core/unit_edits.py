@@ -19,10 +19,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .errors import InputError
-from .outline import TETRAHEDRAL_LEGS, VOLUME_RATIO, rotation_of_quaternion
+from .outline import VOLUME_RATIO, rotation_of_quaternion
 from .result_tables import Row, connect, decode_geometry, encode_line, encode_point, now_utc, query, srs_of, table_names
 from .reviews import writing
 from .schema import FEATURES
+from .unit_types import leg_directions
 
 FloatArray = NDArray[np.float64]
 
@@ -411,7 +412,7 @@ def joints_of(radius: float, gradient: float) -> FloatArray:
     """(4, 3) f123, f124, f134, f234 in the body frame (paper eqs. 10-13, closed form for the tetrahedral opening)."""
     angle = math.acos(1 / 3)
     distance = radius / (math.sin(angle) + gradient * math.cos(angle))
-    return np.asarray(-distance * TETRAHEDRAL_LEGS[[3, 2, 1, 0]])
+    return np.asarray(-distance * leg_directions("tetrahedral")[[3, 2, 1, 0]])
 
 
 def chi2_3_survival(statistic: float) -> float:
@@ -421,9 +422,9 @@ def chi2_3_survival(statistic: float) -> float:
 
 def _symmetries() -> FloatArray:
     """(12, 3, 3) proper rotations that permute the four legs: the even permutations."""
-    found = []
+    found, legs = [], leg_directions("tetrahedral")
     for order in permutations(range(4)):
-        turn = 0.75 * TETRAHEDRAL_LEGS[list(order)].T @ TETRAHEDRAL_LEGS
+        turn = 0.75 * legs[list(order)].T @ legs
         if np.linalg.det(turn) > 0:
             found.append(turn)
     return np.array(found)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .block_jobs import ROUGHNESS_RATIO
-from .congruence import NullModel, calibrated
+from .congruence import PoseCalibration
 from .control import mean_offset_variance, transformation_of
 from .displacement_rows import EpochInfo, epochs_of, read_epochs, unit_of, unit_sizes
 from .epoch_plans import plan_survey
@@ -179,7 +179,7 @@ def _covariance_in_control(result: Path, info: EpochInfo, own: FloatArray, pose:
 
     It is calibrated by the epoch pairs, and holds the registration and the mean offset of the epoch's strips or stations.
     """
-    covariance = calibrated(own, _calibration(result, info.label))
+    covariance = _calibration(result, info.label).covariance(own)
     transformation = transformation_of(info.transformation)
     if transformation is None:
         return covariance
@@ -187,14 +187,13 @@ def _covariance_in_control(result: Path, info: EpochInfo, own: FloatArray, pose:
     return covariance + transformation.with_offset(mean_offset_variance(offsets)).pose_covariance(pose)
 
 
-def _calibration(result: Path, epoch: str) -> list[tuple[NullModel, NullModel]]:
-    """Calibration of positions and rotations by every epoch pair of an epoch."""
-    nulls = []
+def _calibration(result: Path, epoch: str) -> PoseCalibration:
+    """Calibration of the poses of an epoch as the rows of its pairs state it."""
+    pairs = []
     for row in read_layer_rows(result, "epoch_pairs"):
         factor, floor = row.get("covariance_factor"), row.get("covariance_floor")
         if epoch not in (row["epoch_from"], row["epoch_to"]) or factor is None or floor is None:
             continue
         # earlier versions do not record rotations, whose standard deviations are too small for the same reasons
-        turn_factor, turn_floor = row.get("rotation_factor") or factor, math.radians(row.get("rotation_floor_deg") or 0.0)
-        nulls.append((NullModel(factor, floor, math.inf, 0.0, 0), NullModel(turn_factor, turn_floor, math.inf, 0.0, 0)))
-    return nulls
+        pairs.append((factor, floor, row.get("rotation_factor") or factor, math.radians(row.get("rotation_floor_deg") or 0.0)))
+    return PoseCalibration.of_pairs(pairs)

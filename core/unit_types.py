@@ -14,7 +14,6 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 FloatArray = NDArray[np.float64]
 Opening = Literal["tetrahedral", "paper"]
@@ -103,7 +102,7 @@ class UnitType:
     @cached_property
     def leg_directions(self) -> FloatArray:
         """(4, 3) unit vectors of the legs' axes in the body frame, legs 1 to 4."""
-        return _leg_directions(self.opening)
+        return leg_directions(self.opening)
 
     @cached_property
     def symmetries(self) -> FloatArray:
@@ -155,7 +154,8 @@ def catalogue_unit(name: str) -> UnitType | None:
 
 
 @lru_cache(maxsize=None)
-def _leg_directions(opening: Opening) -> FloatArray:
+def leg_directions(opening: Opening) -> FloatArray:
+    """(4, 3) unit vectors of the legs' axes in the body frame, legs 1 to 4."""
     polar = OPENING_ANGLES[opening]
     azimuth = np.radians([0.0, 120.0, 240.0])
     lower = np.column_stack([math.sin(polar) * np.cos(azimuth), math.sin(polar) * np.sin(azimuth), np.full(3, math.cos(polar))])
@@ -166,10 +166,13 @@ def _leg_directions(opening: Opening) -> FloatArray:
 
 @lru_cache(maxsize=None)
 def _symmetries(opening: Opening) -> FloatArray:
+    # outlines and types of unit are also needed in QGIS's own Python, which may lack SciPy
+    from scipy.spatial.transform import Rotation
+
     turns = [Rotation.from_rotvec([0, 0, k * 2 * math.pi / 3]) for k in range(3)]
     if opening == "tetrahedral":
         # identity and the half-turns about the three axes that bisect a pair of legs, each followed by the thirds about leg 1
-        legs = _leg_directions(opening)
+        legs = leg_directions(opening)
         half_turns = [Rotation.identity()]
         half_turns += [Rotation.from_rotvec(math.pi * b / np.linalg.norm(b)) for b in (legs[0] + legs[k] for k in (1, 2, 3))]
         turns = [h * t for h in half_turns for t in turns]
@@ -187,7 +190,7 @@ def _volume(radius: float, gradient: float, leg_length: float, opening: Opening)
     directions = np.stack(
         [rho[:, None] * np.cos(azimuth), rho[:, None] * np.sin(azimuth), np.broadcast_to(z[:, None], (400, 720))], axis=-1
     )
-    cosine = np.clip(np.max(directions @ _leg_directions(opening).T, axis=-1), -1, 1)
+    cosine = np.clip(np.max(directions @ leg_directions(opening).T, axis=-1), -1, 1)
     sine = np.sqrt(1 - cosine**2)
     reach = np.minimum(radius / (sine + gradient * cosine), leg_length / np.maximum(cosine, 1e-12))
     return float(np.sum(weight[:, None] * reach**3) / 3 * (2 * math.pi / 720))

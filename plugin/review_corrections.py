@@ -13,7 +13,6 @@ from qgis.core import QgsPointXY
 from qgis.gui import QgsMapTool
 from qgis.PyQt.QtWidgets import QFileDialog, QMenu
 
-from ..core.outline import LEG_LENGTH_RATIO
 from ..core.unit_edits import (
     NewPose,
     add_placeholder,
@@ -26,6 +25,7 @@ from ..core.unit_edits import (
     store_picks,
     undo_edit,
 )
+from ..core.unit_types import LEG_LENGTH_RATIO
 from .review_map import ClickTool, ReviewMap
 from .review_panels import DecisionPanel, StatusLine
 from .review_tabs import UnitTabs

@@ -78,6 +78,8 @@ class ReviewDock(QgsDockWidget):
             self.status.say(str(error), bad=True)
             return False
         self._close_store()
+        # the new store shows all units; with none open the filters tell nobody
+        self.filters.clear()
         self.store = store
         self.model = self.table.show_store(store)
         self.tabs.show_store(store)
@@ -86,7 +88,6 @@ class ReviewDock(QgsDockWidget):
         self.corrections = ReviewCorrections(self.map, self.tabs, self.decisions, self.status, self.start_engine)
         self.corrections.fill_menu(self._correction_menu)
         self.comparison.show_store(store)
-        self.filters.clear()
         self._pages.setCurrentIndex(1)
         self._on_store("rows")
         self._others.start()

@@ -173,7 +173,7 @@ class FilterPanel(QWidget):
         self.threshold.setValue(0)
         self.undecided.setChecked(False)
         self.text.clear()
-        self.area_wanted.emit("everywhere")
+        self.area.setText(tr("Everywhere"))
 
     def _area_menu(self) -> QMenu:
         menu = QMenu(self.area)
