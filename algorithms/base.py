@@ -23,10 +23,11 @@ from qgis.core import (
 )
 from qgis.PyQt.QtGui import QIcon
 
-from ..core.schema import LAYERS
-from ..plugin.engine import EngineCancelled, EngineError, Listener, find_engine, missing_engine_message, run_engine
-from ..plugin.layers import FIELD_TYPES, layer_title, style_on_load, wkb_type
-from ..plugin.translation import tr
+from ..core.results.schema import LAYERS
+from .support.engine import EngineCancelled, EngineError, Listener, fault_links, find_engine, missing_engine_links, run_engine
+from .support.layers import FIELD_TYPES, layer_title, style_on_load, wkb_type
+from .support.translation import tr
+from .support.wording import Wording
 
 ICONS = Path(__file__).resolve().parents[1] / "plugin" / "icons"
 DOCS_URL = "https://tetratrack.readthedocs.io/en/latest/algorithms"
@@ -60,6 +61,8 @@ class TetratrackAlgorithm(QgsProcessingAlgorithm):
     ID = ""
     GROUP = "steps"
     ICON = "tetratrack.svg"
+    wording = Wording()
+    """What the user calls the files made for the engine; an algorithm that makes some says so for its run."""
 
     def texts(self) -> Texts:
         """Texts in the language of the interface."""
@@ -108,7 +111,10 @@ class TetratrackAlgorithm(QgsProcessingAlgorithm):
         return str(ICONS / self.ICON)
 
     def canExecute(self) -> tuple[bool, str]:
-        return (True, "") if find_engine() is not None else (False, missing_engine_message())
+        engine = find_engine()
+        if engine is None:
+            return False, missing_engine_links()
+        return (False, fault_links(engine.fault)) if engine.fault else (True, "")
 
     def add(self, definition: QgsProcessingParameterDefinition, help_text: str, *, advanced: bool = False) -> None:
         """Add a parameter with its help; tuning goes under the advanced ones."""
@@ -119,11 +125,13 @@ class TetratrackAlgorithm(QgsProcessingAlgorithm):
 
     def add_layer_sink(self, name: str, layer: str, *, optional: bool = False) -> None:
         """Add a feature sink for a layer of the result."""
-        kind = Qgis.ProcessingSourceType.VectorPoint
-        if LAYERS[layer].geometry == "LineStringZ":
-            kind = Qgis.ProcessingSourceType.VectorLine
-        elif LAYERS[layer].geometry == "none":
-            kind = Qgis.ProcessingSourceType.Vector
+        kind = {
+            "PointZ": Qgis.ProcessingSourceType.VectorPoint,
+            "LineStringZ": Qgis.ProcessingSourceType.VectorLine,
+            "PolygonZ": Qgis.ProcessingSourceType.VectorPolygon,
+            "MultiPolygonZ": Qgis.ProcessingSourceType.VectorPolygon,
+            "none": Qgis.ProcessingSourceType.Vector,
+        }[LAYERS[layer].geometry]
         sink = QgsProcessingParameterFeatureSink(name, layer_title(layer), kind, optional=optional, createByDefault=not optional)
         self.add(sink, layer_help(layer))
 
@@ -137,15 +145,20 @@ class TetratrackAlgorithm(QgsProcessingAlgorithm):
             feedback.setProgress(first + (last - first) * fraction)
             if message and message != said[0]:
                 said[0] = message
-                feedback.setProgressText(message)
+                feedback.setProgressText(self.wording(message))
 
-        listener = Listener(progress, feedback.pushInfo, feedback.pushWarning, feedback.isCanceled)
+        listener = Listener(
+            progress,
+            lambda message: feedback.pushInfo(self.wording(message)),
+            lambda message: feedback.pushWarning(self.wording(message)),
+            feedback.isCanceled,
+        )
         try:
             return run_engine(arguments, listener)
         except EngineCancelled:
             return None
         except EngineError as error:
-            raise QgsProcessingException(str(error)) from error
+            raise QgsProcessingException(self.wording(str(error))) from error
 
     def scratch(self) -> tempfile.TemporaryDirectory[str]:
         """Folder of one run, removed with everything in it however the run ends."""

@@ -7,23 +7,25 @@ from typing import Any
 from qgis.core import (
     Qgis,
     QgsProcessingContext,
-    QgsProcessingException,
-    QgsProcessingFeedback,
-    QgsProcessingParameterFile,
+    QgsProcessingParameterEnum,
     QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterString,
 )
 
-from ..plugin.translation import language_of, tr, user_locale
-from .base import TetratrackAlgorithm, Texts
+from .base import Texts
+from .result_algorithm import ResultAlgorithm
+from .support.translation import language_of, tr, user_locale
 
 
-class DisplacementReport(TetratrackAlgorithm):
+class DisplacementReport(ResultAlgorithm):
     """Algorithm ``tetratrack:displacementreport``."""
 
     ID = "displacementreport"
-    GROUP = "monitoring"
     ICON = "report.svg"
-    INPUT, OUTPUT = "INPUT", "OUTPUT"
+    COMMAND = "report"
+    FROM, TO, DATUM, WIDTH, SECTION, WORST = "FROM", "TO", "DATUM", "WIDTH", "SECTION", "WORST"
+    DATUMS = ("", "stable", "control")
 
     def texts(self) -> Texts:
         return Texts(
@@ -37,23 +39,47 @@ class DisplacementReport(TetratrackAlgorithm):
         )
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:
+        self.add_result()
+        pair = tr("Label of an epoch; empty for both takes the latest pair.")
+        self.add(QgsProcessingParameterString(self.FROM, tr("Earlier epoch"), optional=True), pair)
+        self.add(QgsProcessingParameterString(self.TO, tr("Later epoch"), optional=True), pair)
+        datums = [tr("that of the result"), tr("stable units and control"), tr("control points alone")]
         self.add(
-            QgsProcessingParameterFile(
-                self.INPUT, tr("Result"), Qgis.ProcessingFileParameterBehavior.File, fileFilter="GeoPackage (*.gpkg)"
+            QgsProcessingParameterEnum(self.DATUM, tr("Reference of the displacements"), datums, False, 0),
+            tr("What the displacements are stated against, in all of the report."),
+        )
+        self.add(
+            QgsProcessingParameterString(self.AXIS, tr("Axis of the structure"), optional=True),
+            tr("Places easting,northing along it, separated by blanks; damage is then stated by sections."),
+            advanced=True,
+        )
+        for name, label, meaning in (
+            (self.WIDTH, tr("Length looked at (m)"), tr("Length of the structure in metres, for the damage number N_od.")),
+            (self.SECTION, tr("Length of a section (m)"), tr("Length of the sections along the axis, in metres.")),
+        ):
+            number = QgsProcessingParameterNumber(name, label, Qgis.ProcessingNumberParameterType.Double, None, True, 1e-3)
+            self.add(number, meaning, advanced=True)
+        self.add(
+            QgsProcessingParameterNumber(
+                self.WORST, tr("Units shown one by one"), Qgis.ProcessingNumberParameterType.Integer, 8, False, 0, 500
             ),
-            tr("GeoPackage written by Monitor a survey."),
+            tr("So many of those that moved most get views, series and decisions of their own."),
+            advanced=True,
         )
         self.add(
             QgsProcessingParameterFileDestination(self.OUTPUT, tr("Report"), "HTML (*.html);;PDF (*.pdf)"),
             tr("HTML in one file, or PDF; the ending decides."),
         )
 
-    def processAlgorithm(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
-        result = self.parameterAsFile(parameters, self.INPUT, context)
-        target = self.parameterAsFileOutput(parameters, self.OUTPUT, context)
-        if not result:
-            raise QgsProcessingException(self.invalidSourceError(parameters, self.INPUT))
-        arguments = ["report", result, "--output", target, "--language", language_of(user_locale()) or "en"]
-        return {} if self.run_engine(arguments, feedback) is None else {self.OUTPUT: target}
+    def more_arguments(self, parameters: dict[str, Any], context: QgsProcessingContext) -> list[str]:
+        chosen = [
+            ("--language", language_of(user_locale()) or "en"),
+            ("--from", self.parameterAsString(parameters, self.FROM, context).strip()),
+            ("--to", self.parameterAsString(parameters, self.TO, context).strip()),
+            ("--datum", self.DATUMS[self.parameterAsEnum(parameters, self.DATUM, context)]),
+            ("--worst", str(self.parameterAsInt(parameters, self.WORST, context))),
+        ]
+        for option, name in (("--width", self.WIDTH), ("--section", self.SECTION)):
+            if parameters.get(name) is not None:
+                chosen.append((option, repr(self.parameterAsDouble(parameters, name, context))))
+        return [word for option, value in chosen if value for word in (option, value)]

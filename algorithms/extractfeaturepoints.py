@@ -14,8 +14,8 @@ from qgis.core import (
     QgsProcessingParameterFeatureSource,
 )
 
-from ..plugin.translation import tr
 from .base import TetratrackAlgorithm, Texts
+from .support.translation import tr
 from .survey_algorithm import write_layers
 
 

@@ -14,9 +14,9 @@ from qgis.core import (
     QgsProcessingParameterFeatureSource,
 )
 
-from ..plugin.translation import tr
 from .base import Texts
-from .inputs import add_crs, add_epoch, add_tiles, add_unit
+from .support.inputs import add_crs, add_epoch, add_tiles, add_unit
+from .support.translation import tr
 from .survey_algorithm import SurveyAlgorithm, write_layers
 
 

@@ -14,9 +14,9 @@ from qgis.core import (
     QgsProcessingParameterFeatureSink,
 )
 
-from ..plugin.translation import tr
 from .base import TetratrackAlgorithm, Texts
-from .inputs import TILES, add_tiles, tile_paths
+from .support.inputs import TILES, add_tiles, tile_paths
+from .support.translation import tr
 
 
 class InspectTiles(TetratrackAlgorithm):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -19,40 +21,39 @@ from qgis.core import (
     QgsProject,
     QgsVectorLayer,
 )
+from qgis.PyQt.QtCore import QStandardPaths
 
-from ..plugin.layers import DRAWING_ORDER, load_on_completion
-from ..plugin.translation import tr
+from ..core.review.point_index import kept_survey
 from .base import Texts
-from .inputs import (
+from .support.inputs import (
     AREA,
-    CHECK_COLUMNS,
-    CONTROL_COLUMNS,
     CRS,
     LOCAL,
     STABLE_AREAS,
-    TARGET_COLUMNS,
     WORKERS,
     EpochInput,
     SurveyInput,
     add_area,
     add_crs,
+    add_frame,
     add_stable_areas,
     add_unit,
     add_workers,
     crs_text,
+    epoch_place,
+    epoch_time,
+    frame_value,
     ring_of,
     tile_paths,
+    tiles_override,
     unit_values,
     write_points,
     write_polygons,
 )
-from .survey_algorithm import CHECK_SD, TARGET_SD, SurveyAlgorithm, creation_date
-
-FILE_COLUMNS = (
-    ("control", CONTROL_COLUMNS, dict.fromkeys(("sd_e", "sd_n", "sd_h"), TARGET_SD)),
-    ("targets", TARGET_COLUMNS, {}),
-    ("check", CHECK_COLUMNS, {"sd": CHECK_SD}),
-)
+from .support.layers import DRAWING_ORDER, epoch_spans, load_on_completion, set_project_time
+from .support.point_files import FILE_COLUMNS
+from .support.translation import tr
+from .survey_algorithm import SurveyAlgorithm, creation_date
 
 
 class MonitorSurvey(SurveyAlgorithm):
@@ -64,6 +65,8 @@ class MonitorSurvey(SurveyAlgorithm):
     SURVEY, EPOCHS, BACKDROP, LOAD, OUTPUT = "SURVEY", "EPOCHS", "BACKDROP", "LOAD", "OUTPUT"
     SINKS = (("UNITS", "units"), ("FEATURE_POINTS", "feature_points"), ("DISPLACEMENTS", "displacements"))
     COLUMNS = 6
+    target: Path | None = None
+    """The result to be loaded, once it is there."""
 
     def texts(self) -> Texts:
         return Texts(
@@ -87,14 +90,18 @@ class MonitorSurvey(SurveyAlgorithm):
             tr("A survey.toml; if given, it states everything, and the fields for epochs, unit, CRS and area are not used."),
         )
         headers = [tr("Label"), tr("Time (UTC)"), tr("Tiles"), tr("Control points"), tr("Targets in the cloud"), tr("Check points")]
+        epochs = QgsProcessingParameterMatrix(self.EPOCHS, tr("Epochs"), 1, False, headers, optional=True)
+        # by name: Processing loads the widget where there is a window, and only there
+        epochs.setMetadata({"widget_wrapper": {"class": f"{__package__.rpartition('.')[0]}.plugin.epoch_wrapper.EpochsWrapper"}})
         self.add(
-            QgsProcessingParameterMatrix(self.EPOCHS, tr("Epochs"), 1, False, headers, optional=True),
+            epochs,
             tr("One row per epoch: label, time such as 2025-03-14T02:30, folder or files of tiles (separated by ;), CSV files or layers."),
         )
         add_unit(self)
         add_crs(self)
         add_area(self)
         add_stable_areas(self)
+        add_frame(self)
         add_workers(self)
         self.add(
             QgsProcessingParameterBoolean(self.BACKDROP, tr("Shaded relief of each epoch"), True),
@@ -106,7 +113,7 @@ class MonitorSurvey(SurveyAlgorithm):
             tr("Adds all layers to the project as a group with their styles."),
         )
         self.add(
-            QgsProcessingParameterFileDestination(self.OUTPUT, tr("Result"), "GeoPackage (*.gpkg)"),
+            QgsProcessingParameterFileDestination(self.OUTPUT, tr("Result"), "GeoPackage (*.gpkg)", own_result()),
             tr("GeoPackage with units, feature points, displacements, residuals, epochs and reviews, in the survey's CRS, times in UTC."),
         )
         for name, layer in self.SINKS:
@@ -124,6 +131,14 @@ class MonitorSurvey(SurveyAlgorithm):
             return False, tr("Give a survey.toml, or at least one epoch with its tiles.")
         if len(rows) % self.COLUMNS:
             return False, tr("Every epoch needs six columns: label, time, tiles, control points, targets, check points.")
+        for number, start in enumerate(range(0, len(rows), self.COLUMNS), start=1):
+            label, time = ("" if value is None else str(value).strip() for value in rows[start : start + 2])
+            try:
+                epoch_time(time or "2000-01-01")
+            except ValueError:
+                place = epoch_place(label, number)
+                problem = tr("{place}: {time} is no time; write it as 2025-03-14, 2025-03-14T02:30 (UTC) or 2025-03-14T11:30+09:00.")
+                return False, problem.format(place=place, time=time)
         return super().checkParameterValues(parameters, context)
 
     def base_check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
@@ -132,13 +147,15 @@ class MonitorSurvey(SurveyAlgorithm):
 
     def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> bool:
         self.rows = []
+        self.overrides: list[str] = []
         if parameters.get(self.SURVEY):
             return True
         values = ["" if value is None else str(value).strip() for value in self.parameterAsMatrix(parameters, self.EPOCHS, context)]
         for start in range(0, len(values), self.COLUMNS):
             label, time, tiles, *tables = values[start : start + self.COLUMNS]
-            where = tr("Epoch {label}").format(label=label or start // self.COLUMNS + 1)
+            where = epoch_place(label, start // self.COLUMNS + 1)
             paths = tile_paths([part.strip() for part in tiles.split(";")], context, where)
+            self.overrides.append(tiles_override([part.strip() for part in tiles.split(";")], context))
             self.rows.append((label, time, paths, [self.table(text, context, where) for text in tables]))
         return True
 
@@ -174,12 +191,16 @@ class MonitorSurvey(SurveyAlgorithm):
             found = self.run_engine(["run", str(survey), "--output", str(target), "--workers", workers], feedback, 0, last)
             if found is None:
                 return {}
-            reliefs: list[str] = []
+            reliefs: list[tuple[str, str]] = []
             if last < 100:
                 drawn = self.run_engine(["relief", str(survey), "--output", str(target.with_suffix("")) + "_relief"], feedback, last, 100)
                 if drawn is None:
                     return {}
-                reliefs = drawn["files"]
+                reliefs = list(zip(drawn["epochs"], drawn["files"]))
+            if not given:
+                # points around units are read from the survey later, in the review
+                kept = kept_survey(target).parent
+                shutil.copytree(folder, kept, dirs_exist_ok=True, ignore=shutil.ignore_patterns("tiles.gpkg*"))
         outputs: dict[str, Any] = {}
         for name, layer in self.SINKS:
             identifier, _ = self.copy_to_sink(target, layer, parameters, name, context)
@@ -194,36 +215,61 @@ class MonitorSurvey(SurveyAlgorithm):
             "CHECK_RMSE": found["check_rmse"],
         }
 
-    def load(self, target: Path, reliefs: list[str], context: QgsProcessingContext) -> None:
+    def postProcessAlgorithm(self, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict[str, Any]:
+        # in the main thread, where the project may be changed
+        if self.target is not None and context.project() is not None:
+            set_project_time(context.project(), self.target)
+        return {}
+
+    def load(self, target: Path, reliefs: list[tuple[str, str]], context: QgsProcessingContext) -> None:
         """Have all layers with rows loaded into one group named after the result."""
+        self.target = target
         for layer in DRAWING_ORDER:
             source = f"{target}|layername={layer}"
             opened = QgsVectorLayer(source, layer, "ogr")
             if opened.isValid() and opened.featureCount() > 0:
                 load_on_completion(context, source, layer, self.OUTPUT, target.stem)
-        for relief in reliefs:
-            load_on_completion(context, relief, Path(relief).stem, self.OUTPUT, target.stem)
+        spans = epoch_spans(target)
+        # the latest relief lies on top of the earlier ones
+        for label, relief in reversed(reliefs):
+            load_on_completion(context, relief, tr("Relief {epoch}").format(epoch=label), self.OUTPUT, target.stem, spans.get(label))
 
     def survey_of_rows(
         self, folder: Path, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> Path | None:
         """Write survey.toml from the table of epochs."""
         crs = self.parameterAsCrs(parameters, CRS, context)
-        text = crs_text(crs) or self.crs_of_tiles(folder, self.rows[0][2], feedback)
+        text = crs_text(crs) or self.overrides[0] or self.crs_of_tiles(folder, self.rows[0][2], feedback)
         if text is None:
             return None
         frame = crs if crs.isValid() else QgsCoordinateReferenceSystem(text if text != LOCAL else "")
         epochs = []
         for number, (label, time, tiles, tables) in enumerate(self.rows):
-            files = {}
+            files, names = {}, {}
+            place = epoch_place(label, number + 1)
             for (key, columns, defaults), table in zip(FILE_COLUMNS, tables):
                 if table is not None:
                     own = QgsCoordinateReferenceSystem() if key == "targets" else frame
-                    files[key] = str(write_points(table, columns, folder / f"{key}_{number}.csv", own, context, defaults))
-            stamp = time.rstrip("Z") + "Z" if time else creation_date(Path(tiles[0])).strftime("%Y-%m-%dT%H:%M:%SZ")
-            epochs.append(EpochInput(label or str(number + 1), stamp, tiles, files))
+                    files[key] = write_points(table, columns, folder / f"{key}_{number}.csv", own, context, defaults)
+                    names[key] = f"{place}, {table.name()}"
+            stamp = epoch_time(time) if time else creation_date(Path(tiles[0])).strftime("%Y-%m-%dT%H:%M:%SZ")
+            epochs.append(
+                EpochInput(label or str(number + 1), stamp, tiles, files, place=place, tables=names, tiles_crs=self.overrides[number])
+            )
         area = ring_of(self.parameterAsSource(parameters, AREA, context), frame, context)
         stable = self.parameterAsSource(parameters, STABLE_AREAS, context)
-        areas = "" if stable is None else str(write_polygons(stable, folder / "stable_areas.gpkg", context))
+        areas = "" if stable is None else write_polygons(stable, folder / "stable_areas.gpkg", context).name
         unit = unit_values(self, parameters, context)
-        return SurveyInput(text, unit, epochs, tiles_crs=crs_text(crs), area=area, stable_areas=areas).write(folder)
+        choice = frame_value(self, parameters, context)
+        given = SurveyInput(text, unit, epochs, undeclared_crs=crs_text(crs), area=area, stable_areas=areas, frame=choice)
+        path, self.wording = given.write(folder)
+        return path
+
+
+def own_result() -> str:
+    """A file for the result that stays: beside the project, or among the user's documents; a temporary one would be gone with QGIS."""
+    home = QgsProject.instance().absolutePath() or QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
+    if not home or not Path(home).is_dir():
+        home = str(Path.home())
+    names = (f"tetratrack result{'' if k == 1 else f' {k}'}.gpkg" for k in count(1))
+    return str(next(path for name in names if not (path := Path(home) / name).exists()))

@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 from qgis.core import (
     Qgis,
     QgsProcessingContext,
+    QgsProcessingException,
     QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterBoolean,
+    QgsProcessingParameterFileDestination,
     QgsProcessingParameterNumber,
 )
 
-from ..plugin.translation import tr
 from .base import Texts
-from .inputs import add_unit_type, check_unit, unit_arguments
+from .support.inputs import add_unit_type, check_unit, unit_arguments
+from .support.plan_chart import chart_page
+from .support.translation import tr
 from .survey_algorithm import SurveyAlgorithm
 
-OUTPUTS = ("points", "sd_centre", "sd_rotation_deg", "sd_displacement", "detectable_worst", "detectable_mean", "detectable_rotation_deg")
+OUTPUTS = (
+    *("points", "sd_centre", "sd_rotation_deg", "sd_displacement", "detectable_worst", "detectable_mean", "detectable_rotation_deg"),
+    *("points_per_square", "recall_30", "recall_15", "recall_5"),
+)
 
 
 class PlanningDetectability(SurveyAlgorithm):
@@ -27,6 +34,7 @@ class PlanningDetectability(SurveyAlgorithm):
     ID = "planningdetectability"
     GROUP = "planning"
     ICON = "plan.svg"
+    CHART = "CHART"
 
     def texts(self) -> Texts:
         return Texts(
@@ -35,7 +43,10 @@ class PlanningDetectability(SurveyAlgorithm):
                 "Computes which displacement and rotation of a unit a planned survey will find, from point density, noise, visible share "
                 "and registration: the Cramér–Rao bound of the adjustment for the unit's geometry, and Baarda's detectability."
             ),
-            tr("White noise is averaged over the points of a unit; whatever does not average out must be stated as systematic part."),
+            tr(
+                "White noise is averaged over the points of a unit; whatever does not average out must be stated as systematic part. "
+                "The shares of units found are those measured on simulated piles of that density and noise, seen from above."
+            ),
             tr("planning,detectability,point density,noise,Cramér-Rao bound,minimal detectable displacement"),
         )
 
@@ -94,6 +105,10 @@ class PlanningDetectability(SurveyAlgorithm):
         self.number(
             "POWER", tr("Power"), 0.8, tr("Probability with which the displacement is found."), least=0.01, most=0.9999, advanced=True
         )
+        self.add(
+            QgsProcessingParameterFileDestination(self.CHART, tr("Chart"), tr("Web page (*.html)"), optional=True),
+            tr("What the survey detects over point density and visible share, beside the plan."),
+        )
         labels = (
             tr("Points on a unit"),
             tr("Standard deviation of the centre (m)"),
@@ -102,6 +117,10 @@ class PlanningDetectability(SurveyAlgorithm):
             tr("Detectable displacement, worst direction (m)"),
             tr("Detectable displacement, mean (m)"),
             tr("Detectable rotation (degrees)"),
+            tr("Points per square of a unit's height"),
+            tr("Share found of the units seen to 30 % or more"),
+            tr("Share found of the units seen to 15–30 %"),
+            tr("Share found of the units seen to 5–15 %"),
         )
         for name, label in zip(OUTPUTS, labels):
             self.addOutput(QgsProcessingOutputNumber(name.upper(), label))
@@ -131,9 +150,21 @@ class PlanningDetectability(SurveyAlgorithm):
         for name in ("DENSITY", "NOISE", "VISIBLE", "REGISTRATION", "SYSTEMATIC", "TILT", "SIGNIFICANCE", "POWER"):
             arguments += [f"--{name.lower()}", repr(self.parameterAsDouble(parameters, name, context))]
         arguments.append("--shape-fixed" if self.parameterAsBoolean(parameters, "SHAPE_FIXED", context) else "--shape-free")
-        found = self.run_engine(arguments, feedback)
+        chart = self.parameterAsFileOutput(parameters, self.CHART, context) if parameters.get(self.CHART) else ""
+        found = self.run_engine([*arguments, *(["--curves"] if chart else [])], feedback)
         if found is None:
             return {}
+        rows = []
         for definition in self.outputDefinitions():
-            feedback.pushInfo(f"{definition.description()}: {found[definition.name().lower()]:.4g}")
-        return {name.upper(): found[name] for name in OUTPUTS}
+            if definition.name().lower() in OUTPUTS:
+                rows.append((definition.description(), f"{found[definition.name().lower()]:.4g}"))
+                feedback.pushInfo(": ".join(rows[-1]))
+        outputs = {name.upper(): found[name] for name in OUTPUTS}
+        if chart:
+            density, visible = (self.parameterAsDouble(parameters, name, context) for name in ("DENSITY", "VISIBLE"))
+            try:
+                Path(chart).write_text(chart_page(found, rows, density, visible), encoding="utf-8")
+            except OSError as error:
+                raise QgsProcessingException(tr("{file} cannot be written: {reason}.").format(file=chart, reason=error.strerror)) from error
+            outputs[self.CHART] = chart
+        return outputs

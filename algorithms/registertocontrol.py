@@ -12,9 +12,9 @@ from qgis.core import (
     QgsProcessingParameterFileDestination,
 )
 
-from ..plugin.translation import tr
 from .base import Texts
-from .inputs import add_control, add_crs, add_epoch, add_tiles
+from .support.inputs import add_control, add_crs, add_epoch, add_tiles
+from .support.translation import tr
 from .survey_algorithm import SurveyAlgorithm
 
 

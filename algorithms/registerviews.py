@@ -13,9 +13,9 @@ from qgis.core import (
     QgsProcessingParameterNumber,
 )
 
-from ..plugin.translation import tr
 from .base import TetratrackAlgorithm, Texts
-from .inputs import TILES, add_tiles, tile_paths
+from .support.inputs import TILES, add_tiles, tile_paths
+from .support.translation import tr
 
 
 class RegisterViews(TetratrackAlgorithm):

@@ -7,9 +7,9 @@ from typing import Any
 
 from qgis.core import QgsProcessingContext, QgsProcessingFeedback, QgsProcessingOutputNumber
 
-from ..plugin.translation import tr
 from .base import Texts
-from .inputs import WORKERS, add_area, add_crs, add_epoch, add_tiles, add_unit, add_workers
+from .support.inputs import WORKERS, add_area, add_crs, add_epoch, add_tiles, add_unit, add_workers
+from .support.translation import tr
 from .survey_algorithm import SurveyAlgorithm
 
 

@@ -14,9 +14,9 @@ from qgis.core import (
     QgsProcessingParameterNumber,
 )
 
-from ..plugin.translation import tr
 from .base import Texts
-from .inputs import add_unit_type, unit_arguments
+from .support.inputs import add_unit_type, unit_arguments
+from .support.translation import tr
 from .survey_algorithm import SurveyAlgorithm
 
 INSTRUMENTS = ("uav", "tls", "photogrammetry", "depth_camera")
@@ -63,6 +63,16 @@ class SimulateSurvey(SurveyAlgorithm):
             tr("On the ground; empty takes that of the instrument."),
         )
         self.add(
+            QgsProcessingParameterNumber("LENGTH", tr("Length of a coast (m)"), real, None, True, 1, 10000),
+            tr("A coast of this length, of stretches that hold the number of units each; empty gives one site."),
+            advanced=True,
+        )
+        self.add(
+            QgsProcessingParameterNumber("BEND", tr("Bend of every epoch (m)"), real, None, True, 0, 1),
+            tr("Error of the trajectory along the site in metres, root mean square of each coordinate; empty for none."),
+            advanced=True,
+        )
+        self.add(
             QgsProcessingParameterNumber("SEED", tr("Seed"), integer, 0, False, 0),
             tr("The same seed gives the same survey."),
             advanced=True,
@@ -80,7 +90,7 @@ class SimulateSurvey(SurveyAlgorithm):
         arguments = ["simulate", "--output", target, *unit_arguments(self, parameters, context)]
         for name in ("UNITS", "EPOCHS", "SEED"):
             arguments += [f"--{name.lower()}", str(self.parameterAsInt(parameters, name, context))]
-        for name in ("NOISE", "DENSITY"):
+        for name in ("NOISE", "DENSITY", "LENGTH", "BEND"):
             if parameters.get(name) is not None:
                 arguments += [f"--{name.lower()}", repr(self.parameterAsDouble(parameters, name, context))]
         arguments += ["--instrument", INSTRUMENTS[self.parameterAsEnum(parameters, "INSTRUMENT", context)]]

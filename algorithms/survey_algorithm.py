@@ -22,20 +22,14 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import Qt
 
-from ..core.schema import LAYERS
-from ..plugin.layers import FIELD_TYPES, wkb_type
-from ..plugin.translation import tr
+from ..core.results.schema import LAYERS
 from .base import TetratrackAlgorithm
-from .inputs import (
+from .support.inputs import (
     AREA,
-    CHECK,
-    CHECK_COLUMNS,
     CONTROL,
-    CONTROL_COLUMNS,
     CRS,
     EPOCH,
     LOCAL,
-    TARGET_COLUMNS,
     TARGETS,
     TILES,
     TIME,
@@ -48,16 +42,20 @@ from .inputs import (
     crs_text,
     ring_of,
     tile_paths,
+    tiles_override,
     unit_values,
     write_points,
 )
-
-TARGET_SD, CHECK_SD = "0.003", "0.003"
-"""Standard deviation in metres assumed for surveyed points of a layer without such fields: that of a total station."""
+from .support.layers import FIELD_TYPES, wkb_type
+from .support.point_files import FILE_COLUMNS
+from .support.translation import tr
 
 
 class SurveyAlgorithm(TetratrackAlgorithm):
     """Reads whichever of the shared parameters the algorithm declares."""
+
+    tiles_crs = ""
+    """CRS that the user set for the layers of the tiles, in place of the one they declare."""
 
     def has(self, name: str) -> bool:
         """Whether this algorithm declares a parameter."""
@@ -78,6 +76,7 @@ class SurveyAlgorithm(TetratrackAlgorithm):
     def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> bool:
         if self.has(TILES) and parameters.get(TILES):
             self.tiles = tile_paths(parameters[TILES], context, self.parameterDefinition(TILES).description())
+            self.tiles_crs = tiles_override(parameters[TILES], context)
         return True
 
     def survey(
@@ -85,18 +84,27 @@ class SurveyAlgorithm(TetratrackAlgorithm):
     ) -> Path | None:
         """Write survey.toml for the parameters into a folder; None when the user cancelled."""
         crs = self.parameterAsCrs(parameters, CRS, context)
-        text = crs_text(crs) or self.crs_of_tiles(folder, self.tiles, feedback)
+        chosen = crs_text(crs)
+        text = chosen or self.tiles_crs or self.crs_of_tiles(folder, self.tiles, feedback)
         if text is None:
             return None
         crs = crs if crs.isValid() else QgsCoordinateReferenceSystem(text if text != LOCAL else "")
+        label = self.parameterAsString(parameters, EPOCH, context).strip() or "1"
+        files = self.point_files(folder, parameters, context, crs)
+        tables = {key: self.parameterDefinition(key.upper()).description() for key in files}
         epoch = EpochInput(
-            self.parameterAsString(parameters, EPOCH, context).strip() or "1",
+            label,
             self.time(parameters, context),
             self.tiles,
-            self.point_files(folder, parameters, context, crs),
+            files,
+            place=tr("Epoch {label}").format(label=label),
+            tables=tables,
+            tiles_crs=self.tiles_crs,
         )
         area = ring_of(self.parameterAsSource(parameters, AREA, context), crs, context) if self.has(AREA) else []
-        return SurveyInput(text, unit_values(self, parameters, context), [epoch], tiles_crs=crs_text(crs), area=area).write(folder)
+        given = SurveyInput(text, unit_values(self, parameters, context), [epoch], undeclared_crs=chosen, area=area)
+        path, self.wording = given.write(folder)
+        return path
 
     def crs_of_tiles(self, folder: Path, tiles: list[str], feedback: QgsProcessingFeedback) -> str | None:
         """CRS the tiles declare, ``LOCAL`` where they declare none; None when the user cancelled."""
@@ -119,15 +127,11 @@ class SurveyAlgorithm(TetratrackAlgorithm):
 
     def point_files(
         self, folder: Path, parameters: dict[str, Any], context: QgsProcessingContext, crs: QgsCoordinateReferenceSystem
-    ) -> dict[str, str]:
+    ) -> dict[str, Path]:
         """CSV files of control, targets and check points as far as they are given."""
         files = {}
-        sds = dict.fromkeys(("sd_e", "sd_n", "sd_h"), TARGET_SD)
-        for name, columns, defaults in (
-            (CONTROL, CONTROL_COLUMNS, sds),
-            (TARGETS, TARGET_COLUMNS, {}),
-            (CHECK, CHECK_COLUMNS, {"sd": CHECK_SD}),
-        ):
+        for key, columns, defaults in FILE_COLUMNS:
+            name = key.upper()
             if not self.has(name) or not parameters.get(name):
                 continue
             source = self.parameterAsSource(parameters, name, context)
@@ -135,8 +139,7 @@ class SurveyAlgorithm(TetratrackAlgorithm):
                 raise QgsProcessingException(self.invalidSourceError(parameters, name))
             # targets stand in the frame of the cloud: a change of CRS would be wrong for them
             frame = QgsCoordinateReferenceSystem() if name == TARGETS else crs
-            path = write_points(source, columns, folder / f"{name.lower()}.csv", frame, context, defaults)
-            files[name.lower()] = str(path)
+            files[key] = write_points(source, columns, folder / f"{key}.csv", frame, context, defaults)
         return files
 
 
@@ -172,7 +175,8 @@ def write_layers(
     kind = wkb_type(LAYERS[layer].geometry)
     writer = QgsVectorFileWriter.create(str(path), fields, kind, crs, context.transformContext(), options)
     for source in sources:
-        missing = [name for name in names if source.fields().lookupField(name) < 0]
+        # results of earlier versions do not say when the next epoch was
+        missing = [name for name in names if source.fields().lookupField(name) < 0 and name != "epoch_until"]
         if missing:
             raise QgsProcessingException(
                 tr("{layer} has no field {fields}; it has {present}.").format(
@@ -184,7 +188,7 @@ def write_layers(
         for feature in source.getFeatures():
             row = QgsFeature(fields)
             row.setGeometry(feature.geometry())
-            row.setAttributes([feature.attribute(name) for name in names])
+            row.setAttributes([feature.attribute(name) if source.fields().lookupField(name) >= 0 else None for name in names])
             writer.addFeature(row)
     problem = writer.errorMessage()
     # the file is complete when the writer is gone

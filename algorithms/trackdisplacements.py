@@ -14,8 +14,9 @@ from qgis.core import (
     QgsProcessingParameterMultipleLayers,
 )
 
-from ..plugin.translation import tr
 from .base import TetratrackAlgorithm, Texts
+from .support.inputs import add_frame, frame_value
+from .support.translation import tr
 from .survey_algorithm import write_layers
 
 
@@ -46,6 +47,7 @@ class TrackDisplacements(TetratrackAlgorithm):
             QgsProcessingParameterMultipleLayers(self.REGISTRATIONS, tr("Registrations"), Qgis.ProcessingSourceType.File, optional=True),
             tr("GeoPackages from Register to control, one per epoch; without them the clouds' own frames are taken as registered."),
         )
+        add_frame(self)
         self.add_layer_sink(self.UNITS, "units")
         self.add_layer_sink(self.OUTPUT, "displacements")
         self.addOutput(QgsProcessingOutputNumber("UNITS_MOVED", tr("Units moved")))
@@ -70,7 +72,7 @@ class TrackDisplacements(TetratrackAlgorithm):
             folder = Path(scratch)
             units = write_layers(self.layers, folder / "units.gpkg", "units", context)
             result = folder / "result.gpkg"
-            arguments = ["track", str(units), "--output", str(result)]
+            arguments = ["track", str(units), "--output", str(result), "--frame", frame_value(self, parameters, context)]
             for registration in self.parameterAsFileList(parameters, self.REGISTRATIONS, context):
                 arguments += ["--registration", registration]
             found = self.run_engine(arguments, feedback)

@@ -14,10 +14,11 @@ from qgis.core import (
     QgsProcessingParameterFeatureSource,
 )
 
-from ..plugin.translation import tr
 from .base import TetratrackAlgorithm, Texts
-from .inputs import CHECK, CHECK_COLUMNS, add_check, write_points
-from .survey_algorithm import CHECK_SD, write_layers
+from .support.inputs import CHECK, CHECK_COLUMNS, add_check, write_points
+from .support.point_files import CHECK_SD
+from .support.translation import tr
+from .survey_algorithm import write_layers
 
 
 class ValidateSurvey(TetratrackAlgorithm):

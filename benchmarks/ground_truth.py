@@ -12,12 +12,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
-from tetratrack.core.control import read_control, read_targets, register
-from tetratrack.core.feature_points import body_features, label_symmetry
-from tetratrack.core.pose import Pose
-from tetratrack.core.survey import Survey
-from tetratrack.core.tiles import inspect_tile, read_points
-from tetratrack.core.unit_types import UnitType
+from tetratrack.core.data.point_tables import read_control, read_targets
+from tetratrack.core.data.survey import Survey
+from tetratrack.core.data.tiles import inspect_tile, read_points
+from tetratrack.core.model.feature_points import body_features, label_symmetry
+from tetratrack.core.model.pose import Pose
+from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.registration.control import register
 
 FloatArray = NDArray[np.float64]
 CENTRE_TOLERANCE, FEATURE_TOLERANCE, COUNTED = 0.25, 0.15, 0.05
@@ -82,7 +83,7 @@ def read_epoch(survey: Survey, label: str) -> EpochCloud:
     """Read the tiles and truth of an epoch; the truth is brought into the cloud's frame by the targets where there are any."""
     epoch = survey.epoch(label)
     tiles = [inspect_tile(path, survey.crs, tiles_crs=epoch.tiles_crs) for path in epoch.tiles]
-    cloud = read_points(tiles, survey.crs, tiles_crs=epoch.tiles_crs)
+    cloud = read_points(tiles, survey.crs)
     move = None
     if epoch.control is not None and epoch.targets is not None:
         move = register(read_control(epoch.control), read_targets(epoch.targets)).transformation

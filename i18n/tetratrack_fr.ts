@@ -64,6 +64,196 @@
       <translation>Nombres pour les modèles</translation>
     </message>
     <message>
+      <location filename="../algorithms/comparedesign.py" />
+      <source>Compare with design</source>
+      <translation>Comparer au projet</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparedesign.py" />
+      <source>Compares the units of one epoch with a placement plan and with a design profile: deviation and turn of every unit, places without a unit, distance from the design surface, and whether that is within the tolerance.</source>
+      <translation>Compare les blocs d'une époque à un plan de pose et à un profil de projet : écart et rotation de chaque bloc, places sans bloc, distance à la surface de projet, et si cela est dans la tolérance.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparedesign.py" />
+      <source>A unit stands at the place of its own name, or at the nearest free one within one height H. Within or outside is said where the standard deviations leave no doubt of 5 % or more, open where they do.</source>
+      <translation>Un bloc est à la place de son propre nom, ou à la plus proche place libre à moins d'une hauteur H. « Dans » ou « hors » est dit lorsque les écarts-types ne laissent pas un doute de 5 % ou plus, sinon c'est indécis.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparedesign.py" />
+      <source>design,plan,placement,profile,tolerance,as-built,DXF</source>
+      <translation>projet,plan,pose,profil,tolérance,récolement,DXF</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparedesign.py" />
+      <source>GeoPackage with the layers plan_deviations, plan_unmatched and profile_deviations, those that were asked for.</source>
+      <translation>GeoPackage avec les couches plan_deviations, plan_unmatched et profile_deviations, celles qui sont demandées.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparedesign.py" />
+      <source>Deviations</source>
+      <translation>Écarts</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparedesign.py" />
+      <source>Units outside the tolerance of the plan</source>
+      <translation>Blocs hors de la tolérance du plan</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparedesign.py" />
+      <source>Planned places without a unit</source>
+      <translation>Places prévues sans bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparedesign.py" />
+      <source>Units outside the tolerance of the profile</source>
+      <translation>Blocs hors de la tolérance du profil</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>GeoPackage written by Monitor a survey.</source>
+      <translation>GeoPackage écrit par Suivre un levé.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
+      <translation>Nom de l'époque dont les blocs sont regardés ; par défaut la dernière qui en a.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
+      <translation>Chemin d'un CSV unit_id,easting,northing,height des centres prévus, éventuellement qx,qy,qz,qw, ou d'une couche de points avec altitudes (FILE|layername=NAME).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Tolerance of places (m)</source>
+      <translation>Tolérance des places (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Metres a unit may be from its planned place.</source>
+      <translation>Mètres dont un bloc peut s'écarter de sa place prévue.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Tolerance of turns (°)</source>
+      <translation>Tolérance des rotations (°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>Degrés dont un bloc peut être tourné par rapport à l'orientation prévue.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
+      <translation>Chemin d'un DXF ou d'une couche de lignes avec altitudes : une seule ligne est une coupe le long de tout l'ouvrage, plusieurs en sont les arêtes.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
+      <translation>Places easting,northing le long de l'axe, séparées par des espaces ; par défaut la plus longue direction des blocs.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Result</source>
+      <translation>Résultat</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Epoch</source>
+      <translation>Époque</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Placement plan</source>
+      <translation>Plan de pose</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Design profile</source>
+      <translation>Profil de projet</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Tolerance of the profile (m)</source>
+      <translation>Tolérance du profil (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>Mètres dont un bloc peut s'écarter du profil de projet.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>outermost point of a unit</source>
+      <translation>point le plus extérieur d'un bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>centre of a unit</source>
+      <translation>centre d'un bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>What is judged against the design profile; both distances are written.</source>
+      <translation>Ce qui est jugé par rapport au profil de projet ; les deux distances sont écrites.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Axis of the structure</source>
+      <translation>Axe de l'ouvrage</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/comparison_algorithm.py" />
+      <source>Judged against the profile</source>
+      <translation>Jugé par rapport au profil</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/crosssections.py" />
+      <source>Cross-sections and crest</source>
+      <translation>Coupes et crête</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/crosssections.py" />
+      <source>Cuts the structure across its axis: outlines of the blocks of every epoch, surface of the points and design in each section, height and width of the crest of each reach, and settlement along the structure.</source>
+      <translation>Coupe l'ouvrage en travers de son axe : contours des blocs de chaque époque, surface des points et projet dans chaque coupe, hauteur et largeur de la crête de chaque tronçon, et tassement le long de l'ouvrage.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/crosssections.py" />
+      <source>Points are those read around the units for the review (unit-points); without them sections show blocks alone.</source>
+      <translation>Les points sont ceux lus autour des blocs pour la revue (unit-points) ; sans eux les coupes ne montrent que les blocs.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/crosssections.py" />
+      <source>profile,section,crest,settlement,chainage</source>
+      <translation>profil,coupe,crête,tassement,abscisse</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/crosssections.py" />
+      <source>Distance of the sections (m)</source>
+      <translation>Distance des coupes (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/crosssections.py" />
+      <source>Metres along the axis; four heights of a unit unless given.</source>
+      <translation>Mètres le long de l'axe ; par défaut quatre hauteurs de bloc.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/crosssections.py" />
+      <source>GeoPackage with the layers sections, crest and settlement.</source>
+      <translation>GeoPackage avec les couches sections, crest et settlement.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/crosssections.py" />
+      <source>Sections</source>
+      <translation>Coupes</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Label of an epoch; empty for both takes the latest pair.</source>
+      <translation>Libellé d'une époque ; vide pour les deux prend la paire la plus récente.</translation>
+    </message>
+    <message>
       <location filename="../algorithms/displacementreport.py" />
       <source>Displacement report</source>
       <translation>Rapport de déplacement</translation>
@@ -85,8 +275,33 @@
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
-      <source>GeoPackage written by Monitor a survey.</source>
-      <translation>GeoPackage écrit par Suivre un levé.</translation>
+      <source>that of the result</source>
+      <translation>celle du résultat</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>stable units and control</source>
+      <translation>blocs stables et appui</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>control points alone</source>
+      <translation>points d'appui seuls</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>What the displacements are stated against, in all of the report.</source>
+      <translation>Ce par rapport à quoi les déplacements sont donnés, dans tout le rapport.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Places easting,northing along it, separated by blanks; damage is then stated by sections.</source>
+      <translation>Points est,nord le long de celui-ci, séparés par des espaces ; les dommages sont alors donnés par sections.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>So many of those that moved most get views, series and decisions of their own.</source>
+      <translation>Autant de ceux qui ont le plus bougé reçoivent leurs vues, séries et décisions.</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -95,13 +310,83 @@
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
-      <source>Result</source>
-      <translation>Résultat</translation>
+      <source>Earlier epoch</source>
+      <translation>Époque antérieure</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Later epoch</source>
+      <translation>Époque ultérieure</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Reference of the displacements</source>
+      <translation>Référence des déplacements</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Length looked at (m)</source>
+      <translation>Longueur considérée (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Length of the structure in metres, for the damage number N_od.</source>
+      <translation>Longueur de l'ouvrage en mètres, pour le nombre de dommage N_od.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Length of a section (m)</source>
+      <translation>Longueur d'une section (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Length of the sections along the axis, in metres.</source>
+      <translation>Longueur des sections le long de l'axe, en mètres.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Units shown one by one</source>
+      <translation>Blocs montrés un par un</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
       <source>Report</source>
       <translation>Rapport</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/exportmodel.py" />
+      <source>Export as-built model</source>
+      <translation>Exporter le modèle tel que construit</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/exportmodel.py" />
+      <source>Writes the units of one epoch as bodies at their fitted poses, coloured by class, with uncertainty and movement as properties, for CAD, BIM and 3D viewers. The ending of the file chooses the format: glTF (.glb), Wavefront (.obj), DXF, IFC4x3 or the poses alone (.json).</source>
+      <translation>Écrit les blocs d'une époque comme corps à leurs poses ajustées, colorés par classe, avec incertitude et mouvement comme propriétés, pour la CAO, le BIM et les visionneuses 3D. L'extension du fichier choisit le format : glTF (.glb), Wavefront (.obj), DXF, IFC4x3 ou les poses seules (.json).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/exportmodel.py" />
+      <source>Bodies have 24 plane faces a leg. glTF, OBJ, IFC and JSON hold coordinates less a reduction point that stands in the file; DXF holds coordinates of the survey CRS and needs the library ezdxf in the engine.</source>
+      <translation>Les corps ont 24 faces planes par jambe. glTF, OBJ, IFC et JSON contiennent des coordonnées réduites d'un point indiqué dans le fichier ; DXF contient les coordonnées du SCR du levé et demande la bibliothèque ezdxf dans le moteur.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/exportmodel.py" />
+      <source>model,3D,glTF,GLB,OBJ,DXF,IFC,BIM,CAD,as-built</source>
+      <translation>modèle,3D,glTF,GLB,OBJ,DXF,IFC,BIM,CAO,tel que construit</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/exportmodel.py" />
+      <source>Label of the epoch whose units are written; the latest one with units unless given.</source>
+      <translation>Libellé de l'époque dont les blocs sont écrits ; à défaut la dernière qui en a.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/exportmodel.py" />
+      <source>File to write; its ending decides the format.</source>
+      <translation>Fichier à écrire ; son extension décide du format.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/exportmodel.py" />
+      <source>Model</source>
+      <translation>Modèle</translation>
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
@@ -172,251 +457,6 @@
       <location filename="../algorithms/fittetrapods.py" />
       <source>Units fitted</source>
       <translation>Blocs ajustés (nombre)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
-      <translation>Fichiers LAS, LAZ ou COPC, un dossier, un nuage de points virtuel (.vpc) ou des couches de nuages de points ; coordonnées en mètres.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Projected CRS in metres; empty takes that of the tiles, and a local frame if they declare none.</source>
-      <translation>SCR projeté en mètres ; vide prend celui des dalles, et un repère local si elles n'en déclarent pas.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Label of this survey in all results, for example its date.</source>
-      <translation>Nom de ce levé dans tous les résultats, par exemple sa date.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Drives the temporal controller; empty takes the date of the first tile.</source>
-      <translation>Pilote le contrôleur temporel ; vide prend la date de la première dalle.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Estimates both from the best-seen units and holds them: moulds differ by centimetres from the standard proportions.</source>
-      <translation>Estime les deux à partir des blocs les mieux vus et les fixe : les moules diffèrent de plusieurs centimètres des proportions standard.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Type of unit</source>
-      <translation>Type de bloc</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Catalogue name with the mass in tonnes, such as tetrapod 8 t; or tetrapod with a height of your own.</source>
-      <translation>Nom de catalogue avec la masse en tonnes, par exemple tetrapod 8 t ; ou tetrapod avec votre propre hauteur.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>From the plane under three legs to the top of the fourth, in metres; overrides the catalogue.</source>
-      <translation>Du plan sous trois jambes au sommet de la quatrième, en mètres ; prime sur le catalogue.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Radius of a leg's cone at the unit's centre, in metres; empty takes 0.264 H.</source>
-      <translation>Rayon du cône d'une jambe au centre du bloc, en mètres ; vide prend 0,264 H.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Loss of radius per metre along the leg's axis; empty takes 0.176.</source>
-      <translation>Perte de rayon par mètre le long de l'axe de la jambe ; vide prend 0,176.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
-      <translation>Du centre au disque d'extrémité, en mètres ; vide prend 0,644 H.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations.</source>
-      <translation>Les tétrapodes réels sont tétraédriques ; 120° entre la jambe 1 et les autres reproduit les équations publiées.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Polygon inside which units are looked for; its outer ring is used. Empty means everywhere.</source>
-      <translation>Polygone dans lequel les blocs sont cherchés ; son anneau extérieur est utilisé. Vide : partout.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Polygons around surfaces that do not move, such as the crown wall: they tie epochs without control to the earliest with control, or to the first.</source>
-      <translation>Polygones autour de surfaces qui ne bougent pas, comme le mur de couronnement : ils rattachent les époques sans points d'appui à la première qui en a, ou à la première de toutes.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Blocks of the survey worked on at the same time; each takes about 1 GB of memory.</source>
-      <translation>Secteurs du levé traités en même temps ; chacun prend environ 1 Go de mémoire.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Surveyed targets: point layer or CSV with point_id, easting, northing, height, sd_e, sd_n, sd_h (m).</source>
-      <translation>Cibles levées : couche de points ou CSV avec point_id, easting, northing, height, sd_e, sd_n, sd_h (m).</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>The same targets as measured in this epoch's cloud: point layer or CSV with point_id, x, y, z (m).</source>
-      <translation>Les mêmes cibles mesurées dans le nuage de cette époque : couche de points ou CSV avec point_id, x, y, z (m).</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Surveyed joints of cones, for validation only: CSV or layer with point_id, unit_easting, unit_northing, unit_height and position (m).</source>
-      <translation>Jonctions de cônes levées, pour validation seulement : CSV ou couche avec point_id, unit_easting, unit_northing, unit_height et position (m).</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Give the height H of the unit, or choose a catalogue name with its mass, such as tetrapod 8 t.</source>
-      <translation>Donnez la hauteur H du bloc, ou choisissez un nom de catalogue avec sa masse, par exemple tetrapod 8 t.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>The type of unit must be tetrapod, or a catalogue name such as tetrapod 8 t.</source>
-      <translation>Le type de bloc doit être tetrapod, ou un nom de catalogue tel que tetrapod 8 t.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Control points and targets in the cloud belong together: give both, or neither.</source>
-      <translation>Points d'appui et cibles dans le nuage vont ensemble : donnez les deux, ou aucun.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>CRS of the results</source>
-      <translation>SCR des résultats</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Epoch</source>
-      <translation>Époque</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Time of the survey (UTC)</source>
-      <translation>Heure du levé (UTC)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Calibrate radius and taper</source>
-      <translation>Étalonner rayon et conicité</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Height H of the unit (m)</source>
-      <translation>Hauteur H du bloc (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Cone radius at the centre (m)</source>
-      <translation>Rayon du cône au centre (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Taper of the leg</source>
-      <translation>Conicité de la jambe</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Leg length (m)</source>
-      <translation>Longueur de jambe (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Angle between the legs</source>
-      <translation>Angle entre les jambes</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Area of interest</source>
-      <translation>Zone d'intérêt</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Stable areas</source>
-      <translation>Zones stables</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Worker processes</source>
-      <translation>Processus de calcul</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Control points</source>
-      <translation>Points d'appui</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Targets in the cloud</source>
-      <translation>Cibles dans le nuage</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Check points</source>
-      <translation>Points de contrôle</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>The cone radius must be smaller than half the height of the unit.</source>
-      <translation>Le rayon du cône doit être inférieur à la moitié de la hauteur du bloc.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>The area of interest holds no polygon.</source>
-      <translation>La zone d'intérêt ne contient aucun polygone.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>The area of interest has several separate parts; give one polygon.</source>
-      <translation>La zone d'intérêt a plusieurs parties séparées ; donnez un seul polygone.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>Point cloud tiles</source>
-      <translation>Dalles de nuage de points</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>tetrahedral (109.5°)</source>
-      <translation>tétraédrique (109,5°)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>as in the paper (120°)</source>
-      <translation>comme dans l'article (120°)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>{crs} is geographic; choose a projected CRS in metres.</source>
-      <translation>{crs} est géographique ; choisissez un SCR projeté en mètres.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>{where}: no LAS or LAZ file is given.</source>
-      <translation>{where} : aucun fichier LAS ou LAZ n'est donné.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>{where}: there is no file or layer {path}.</source>
-      <translation>{where} : il n'y a pas de fichier ou de couche {path}.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>{layer} cannot be written: {reason}.</source>
-      <translation>{layer} ne peut pas être écrit : {reason}.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>{layer} has no field {fields}; it has {present}.</source>
-      <translation>{layer} n'a pas de champ {fields} ; elle a {present}.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>{where}: the folder {path} holds no LAS or LAZ file.</source>
-      <translation>{where} : le dossier {path} ne contient aucun fichier LAS ou LAZ.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/inputs.py" />
-      <source>{where}: {path} is not a virtual point cloud.</source>
-      <translation>{where} : {path} n'est pas un nuage de points virtuel.</translation>
     </message>
     <message>
       <location filename="../algorithms/inspecttiles.py" />
@@ -500,6 +540,26 @@
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
+      <source>Control points</source>
+      <translation>Points d'appui</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Targets in the cloud</source>
+      <translation>Cibles dans le nuage</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Check points</source>
+      <translation>Points de contrôle</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Epochs</source>
+      <translation>Époques</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
       <source>One row per epoch: label, time such as 2025-03-14T02:30, folder or files of tiles (separated by ;), CSV files or layers.</source>
       <translation>Une ligne par époque : nom, heure telle que 2025-03-14T02:30, dossier ou fichiers de dalles (séparés par ;), fichiers CSV ou couches.</translation>
     </message>
@@ -522,11 +582,6 @@
       <location filename="../algorithms/monitorsurvey.py" />
       <source>Survey file</source>
       <translation>Fichier de levé</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/monitorsurvey.py" />
-      <source>Epochs</source>
-      <translation>Époques</translation>
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
@@ -560,8 +615,13 @@
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
-      <source>Epoch {label}</source>
-      <translation>Époque {label}</translation>
+      <source>{place}: {time} is no time; write it as 2025-03-14, 2025-03-14T02:30 (UTC) or 2025-03-14T11:30+09:00.</source>
+      <translation>{place} : {time} n'est pas une date ; écrivez 2025-03-14, 2025-03-14T02:30 (UTC) ou 2025-03-14T11:30+09:00.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>{where}: there is no file or layer {path}.</source>
+      <translation>{where} : il n'y a pas de fichier ou de couche {path}.</translation>
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
@@ -572,6 +632,86 @@
       <location filename="../algorithms/monitorsurvey.py" />
       <source>The folder {folder} does not exist.</source>
       <translation>Le dossier {folder} n'existe pas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Relief {epoch}</source>
+      <translation>Relief {epoch}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>New survey from a folder</source>
+      <translation>Nouveau levé à partir d'un dossier</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Writes a survey.toml from what the files in a folder say: epochs and times, CRS, control, targets and check points, and the size of the units from the cloud itself.</source>
+      <translation>Écrit un survey.toml d'après ce que disent les fichiers d'un dossier : époques et heures, SCR, points d'appui, cibles et points de contrôle, et la taille des blocs d'après le nuage lui-même.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Every value stands with its reason; what the files leave open is asked for in the log.</source>
+      <translation>Chaque valeur est accompagnée de sa raison ; ce que les fichiers laissent ouvert est demandé dans le journal.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>new survey,folder,tiles,epochs,size of units,survey.toml</source>
+      <translation>nouveau levé,dossier,dalles,époques,taille des blocs,survey.toml</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Folder with the tiles of all epochs; tables of control lie in it or beside it.</source>
+      <translation>Dossier contenant les dalles de toutes les époques ; les tables des points d'appui s'y trouvent ou à côté.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Point cloud tiles</source>
+      <translation>Dalles de nuage de points</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Instead of a folder: point cloud layers, or files, of all epochs.</source>
+      <translation>Au lieu d’un dossier : couches de nuages de points, ou fichiers, de toutes les époques.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Projected CRS in metres; needed only where the tiles declare none.</source>
+      <translation>SCR projeté en mètres ; nécessaire seulement si les dalles n'en déclarent pas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Empty estimates it from the cloud.</source>
+      <translation>Vide : estimée d'après le nuage.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Text file to look through, correct and run.</source>
+      <translation>Fichier texte à relire, corriger et exécuter.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Folder of tiles</source>
+      <translation>Dossier de dalles</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>CRS of the results</source>
+      <translation>SCR des résultats</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Height of the units (m)</source>
+      <translation>Hauteur des blocs (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Survey</source>
+      <translation>Levé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/newsurvey.py" />
+      <source>Give a folder of tiles, or tiles.</source>
+      <translation>Indiquez un dossier de dalles, ou des dalles.</translation>
     </message>
     <message>
       <location filename="../algorithms/planningdetectability.py" />
@@ -585,8 +725,8 @@
     </message>
     <message>
       <location filename="../algorithms/planningdetectability.py" />
-      <source>White noise is averaged over the points of a unit; whatever does not average out must be stated as systematic part.</source>
-      <translation>Le bruit blanc se moyenne sur les points d'un bloc ; ce qui ne se moyenne pas doit être donné comme part systématique.</translation>
+      <source>White noise is averaged over the points of a unit; whatever does not average out must be stated as systematic part. The shares of units found are those measured on simulated piles of that density and noise, seen from above.</source>
+      <translation>Le bruit blanc se moyenne sur les points d'un bloc ; ce qui ne se moyenne pas doit être donné comme part systématique. Les parts de blocs trouvés sont celles mesurées sur des carapaces simulées de cette densité et de ce bruit, vues d'en haut.</translation>
     </message>
     <message>
       <location filename="../algorithms/planningdetectability.py" />
@@ -680,6 +820,11 @@
     </message>
     <message>
       <location filename="../algorithms/planningdetectability.py" />
+      <source>What the survey detects over point density and visible share, beside the plan.</source>
+      <translation>Ce que le levé détecte selon la densité de points et la part visible, à côté du plan.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
       <source>Points on a unit</source>
       <translation>Points sur un bloc</translation>
     </message>
@@ -715,6 +860,26 @@
     </message>
     <message>
       <location filename="../algorithms/planningdetectability.py" />
+      <source>Points per square of a unit's height</source>
+      <translation>Points par carré de la hauteur d'un bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Share found of the units seen to 30 % or more</source>
+      <translation>Part trouvée des blocs vus à 30 % ou plus</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Share found of the units seen to 15–30 %</source>
+      <translation>Part trouvée des blocs vus à 15–30 %</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Share found of the units seen to 5–15 %</source>
+      <translation>Part trouvée des blocs vus à 5–15 %</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
       <source>The level of significance must be below the power.</source>
       <translation>Le niveau de signification doit être inférieur à la puissance.</translation>
     </message>
@@ -722,6 +887,26 @@
       <location filename="../algorithms/planningdetectability.py" />
       <source>Radius and taper are known</source>
       <translation>Rayon et conicité connus</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Chart</source>
+      <translation>Graphique</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>Web page (*.html)</source>
+      <translation>Page web (*.html)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/planningdetectability.py" />
+      <source>{file} cannot be written: {reason}.</source>
+      <translation>{file} ne peut pas être écrit : {reason}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/provider.py" />
+      <source>Tetratrack: displacements of tetrapods</source>
+      <translation>Tetratrack : déplacements de tétrapodes</translation>
     </message>
     <message>
       <location filename="../algorithms/registertocontrol.py" />
@@ -814,6 +999,31 @@
       <translation>EQM entre vues (m)</translation>
     </message>
     <message>
+      <location filename="../algorithms/residualpoints.py" />
+      <source>Points less blocks</source>
+      <translation>Points moins blocs</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/residualpoints.py" />
+      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (within a body) through white to red (10 cm outside or more).</source>
+      <translation>Écrit les points autour des blocs d'une époque avec leur distance au bloc ajusté le plus proche, colorés du bleu (dans un corps) au rouge (10 cm dehors ou plus) en passant par le blanc.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/residualpoints.py" />
+      <source>Points are those read around the units for the review (unit-points), in the control frame.</source>
+      <translation>Les points sont ceux lus autour des blocs pour la revue (unit-points), dans le repère des points de contrôle.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/residualpoints.py" />
+      <source>residuals,LAZ,LAS,point cloud,distance</source>
+      <translation>résidus,LAZ,LAS,nuage de points,distance</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/residualpoints.py" />
+      <source>Point cloud with the dimensions distance (m) and unit.</source>
+      <translation>Nuage de points avec les dimensions distance (m) et unit.</translation>
+    </message>
+    <message>
       <location filename="../algorithms/segmenttetrapods.py" />
       <source>Segment tetrapods</source>
       <translation>Segmenter les tétrapodes</translation>
@@ -900,6 +1110,16 @@
     </message>
     <message>
       <location filename="../algorithms/simulatesurvey.py" />
+      <source>A coast of this length, of stretches that hold the number of units each; empty gives one site.</source>
+      <translation>Une côte de cette longueur, faite de tronçons contenant chacun le nombre de blocs ; vide donne un seul site.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Error of the trajectory along the site in metres, root mean square of each coordinate; empty for none.</source>
+      <translation>Erreur de la trajectoire le long du site, en mètres, moyenne quadratique par coordonnée ; vide pour aucune.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
       <source>The same seed gives the same survey.</source>
       <translation>La même graine donne le même levé.</translation>
     </message>
@@ -920,6 +1140,16 @@
     </message>
     <message>
       <location filename="../algorithms/simulatesurvey.py" />
+      <source>Length of a coast (m)</source>
+      <translation>Longueur d'une côte (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
+      <source>Bend of every epoch (m)</source>
+      <translation>Flexion de chaque époque (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/simulatesurvey.py" />
       <source>Seed</source>
       <translation>Graine</translation>
     </message>
@@ -934,9 +1164,1054 @@
       <translation>survey.toml du levé simulé</translation>
     </message>
     <message>
+      <location filename="../algorithms/support/engine.py" />
+      <source>The tetratrack engine is not installed: open Settings &gt; Options &gt; Tetratrack and create its environment or choose one.</source>
+      <translation>Le moteur tetratrack n'est pas installé : ouvrez Préférences &gt; Options &gt; Tetratrack et créez son environnement ou choisissez-en un.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/engine.py" />
+      <source>Create or choose the engine…</source>
+      <translation>Créer ou choisir le moteur…</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/engine.py" />
+      <source>Make the environment again…</source>
+      <translation>Recréer l'environnement…</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/engine.py" />
+      <source>The engine ended unexpectedly (exit code {code}); QGIS and your data are unharmed.</source>
+      <translation>Le moteur s'est arrêté de façon inattendue (code {code}) ; QGIS et vos données sont intacts.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/engine.py" />
+      <source>QGIS runs version {plugin} of the plugin, but its files are of version {engine}: restart QGIS.</source>
+      <translation>QGIS utilise la version {plugin} de l'extension, mais ses fichiers sont de la version {engine} : redémarrez QGIS.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/engine.py" />
+      <source>The engine could not be started with {python}: {reason}.</source>
+      <translation>Le moteur n'a pas pu démarrer avec {python} : {reason}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/environment.py" />
+      <source>The tetratrack engine was made for another version of the plugin: let it be brought up to date in Settings &gt; Options.</source>
+      <translation>Le moteur tetratrack a été créé pour une autre version de l'extension : mettez-le à jour dans Préférences &gt; Options.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/environment.py" />
+      <source>The Python that the tetratrack engine was made with is gone: let its environment be made again in Settings &gt; Options.</source>
+      <translation>Le Python avec lequel le moteur tetratrack a été créé a disparu : recréez son environnement dans Préférences &gt; Options.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Unit</source>
+      <translation>Bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Point</source>
+      <translation>Point</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Time</source>
+      <translation>Heure</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Until</source>
+      <translation>Jusqu’à</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>From epoch</source>
+      <translation>De l’époque</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>To epoch</source>
+      <translation>À l’époque</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>From</source>
+      <translation>De</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>To</source>
+      <translation>À</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Feature point</source>
+      <translation>Point caractéristique</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Type of unit</source>
+      <translation>Type de bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Status</source>
+      <translation>État</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Class</source>
+      <translation>Classe</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Kind</source>
+      <translation>Genre</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Grade</source>
+      <translation>Degré</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Datum</source>
+      <translation>Référence</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Reference epoch</source>
+      <translation>Époque de référence</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>May be</source>
+      <translation>Peut être</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Nearest units</source>
+      <translation>Blocs les plus proches</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Decision</source>
+      <translation>Décision</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Comment</source>
+      <translation>Commentaire</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Reviewer</source>
+      <translation>Vérificateur</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Reviewed</source>
+      <translation>Examiné le</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Confirmed by</source>
+      <translation>Confirmé par</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Confirmed</source>
+      <translation>Confirmé le</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Editor</source>
+      <translation>Éditeur</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Edited</source>
+      <translation>Modifié le</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Taken back</source>
+      <translation>Annulé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Picked by</source>
+      <translation>Pointé par</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Picked</source>
+      <translation>Pointé le</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Reason</source>
+      <translation>Raison</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Known by</source>
+      <translation>Connu par</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Software</source>
+      <translation>Logiciel</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>File</source>
+      <translation>Fichier</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>CRS</source>
+      <translation>SCR</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Measured</source>
+      <translation>Mesuré</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Verdict</source>
+      <translation>Verdict</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Remark</source>
+      <translation>Remarque</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>LAS version</source>
+      <translation>Version LAS</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Point format</source>
+      <translation>Format de points</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>COPC</source>
+      <translation>COPC</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height H</source>
+      <translation>Hauteur H</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Area</source>
+      <translation>Aire</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Radius</source>
+      <translation>Rayon</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Easting component</source>
+      <translation>Composante est</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Northing component</source>
+      <translation>Composante nord</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height component</source>
+      <translation>Composante altitude</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Horizontal displacement</source>
+      <translation>Déplacement horizontal</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Displacement</source>
+      <translation>Déplacement</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Azimuth</source>
+      <translation>Azimut</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. easting</source>
+      <translation>Écart type est</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. northing</source>
+      <translation>Écart type nord</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. height</source>
+      <translation>Écart type altitude</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Rotation</source>
+      <translation>Rotation</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. rotation</source>
+      <translation>Écart type rotation</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Detectable</source>
+      <translation>Détectable</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Displacement / H</source>
+      <translation>Déplacement / H</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Displacement / Dn</source>
+      <translation>Déplacement / Dn</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Missing of a leg</source>
+      <translation>Manque d’une jambe</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Distance of the points</source>
+      <translation>Distance des points</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Nearest centre</source>
+      <translation>Centre le plus proche</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Along the structure</source>
+      <translation>Le long de l’ouvrage</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Along, from</source>
+      <translation>Le long, de</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Along, to</source>
+      <translation>Le long, à</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Correlation length</source>
+      <translation>Longueur de corrélation</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Lowest height</source>
+      <translation>Altitude minimale</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Greatest height</source>
+      <translation>Altitude maximale</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>p-value</source>
+      <translation>valeur p</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>p-value, adjusted</source>
+      <translation>valeur p, ajustée</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Significant</source>
+      <translation>Significatif</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Sigma 0</source>
+      <translation>Sigma 0</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Used</source>
+      <translation>Utilisé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Points/m²</source>
+      <translation>Points/m²</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Legs seen</source>
+      <translation>Jambes vues</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg 1</source>
+      <translation>Jambe 1</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg 2</source>
+      <translation>Jambe 2</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg 3</source>
+      <translation>Jambe 3</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg 4</source>
+      <translation>Jambe 4</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Probability of a broken leg</source>
+      <translation>Probabilité d’une jambe cassée</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Share seen</source>
+      <translation>Part vue</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Probability</source>
+      <translation>Probabilité</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Share supported</source>
+      <translation>Part soutenue</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Overlap</source>
+      <translation>Recouvrement</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Observed</source>
+      <translation>Observé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Normalised residual</source>
+      <translation>Résidu normalisé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Disturbed</source>
+      <translation>Perturbé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Strip</source>
+      <translation>Bande</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Layer of the armour</source>
+      <translation>Couche de la carapace</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Packing</source>
+      <translation>Compacité</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Spacing / Dn</source>
+      <translation>Espacement / Dn</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Turn against the neighbour</source>
+      <translation>Rotation par rapport au voisin</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Off the surface</source>
+      <translation>Écart à la surface</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Off the surface / Dn</source>
+      <translation>Écart à la surface / Dn</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Contacts</source>
+      <translation>Contacts</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Free gap</source>
+      <translation>Jeu libre</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>In a column</source>
+      <translation>En colonne</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
+      <translation>Fichiers LAS, LAZ ou COPC, un dossier, un nuage de points virtuel (.vpc) ou des couches de nuages de points ; coordonnées en mètres.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Projected CRS in metres; empty takes that of the tiles, and a local frame if they declare none.</source>
+      <translation>SCR projeté en mètres ; vide prend celui des dalles, et un repère local si elles n'en déclarent pas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Label of this survey in all results, for example its date.</source>
+      <translation>Nom de ce levé dans tous les résultats, par exemple sa date.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Drives the temporal controller; empty takes the date of the first tile.</source>
+      <translation>Pilote le contrôleur temporel ; vide prend la date de la première dalle.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Estimates both from the best-seen units and holds them: moulds differ by centimetres from the standard proportions.</source>
+      <translation>Estime les deux à partir des blocs les mieux vus et les fixe : les moules diffèrent de plusieurs centimètres des proportions standard.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Catalogue name with the mass in tonnes, such as tetrapod 8 t; or tetrapod with a height of your own.</source>
+      <translation>Nom de catalogue avec la masse en tonnes, par exemple tetrapod 8 t ; ou tetrapod avec votre propre hauteur.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>From the plane under three legs to the top of the fourth, in metres; overrides the catalogue.</source>
+      <translation>Du plan sous trois jambes au sommet de la quatrième, en mètres ; prime sur le catalogue.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Radius of a leg's cone at the unit's centre, in metres; empty takes 0.264 H.</source>
+      <translation>Rayon du cône d'une jambe au centre du bloc, en mètres ; vide prend 0,264 H.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Loss of radius per metre along the leg's axis; empty takes 0.176.</source>
+      <translation>Perte de rayon par mètre le long de l'axe de la jambe ; vide prend 0,176.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
+      <translation>Du centre au disque d'extrémité, en mètres ; vide prend 0,644 H.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations.</source>
+      <translation>Les tétrapodes réels sont tétraédriques ; 120° entre la jambe 1 et les autres reproduit les équations publiées.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Polygon inside which units are looked for; its outer ring is used. Empty means everywhere.</source>
+      <translation>Polygone dans lequel les blocs sont cherchés ; son anneau extérieur est utilisé. Vide : partout.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Polygons around surfaces that do not move, such as the crown wall: they tie epochs without control to the earliest with control, or to the first.</source>
+      <translation>Polygones autour de surfaces qui ne bougent pas, comme le mur de couronnement : ils rattachent les époques sans points d'appui à la première qui en a, ou à la première de toutes.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>the survey itself tells</source>
+      <translation>le levé lui-même le dit</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>rigid</source>
+      <translation>rigide</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>elastic</source>
+      <translation>élastique</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Long flights bend by centimetres over tens to hundreds of metres. The survey itself tells by its units and targets whether an epoch's cloud is bent; rigid holds it stiff (short sites, one set-up), elastic lets it bend on any evidence.</source>
+      <translation>Les longs vols fléchissent de quelques centimètres sur des dizaines à des centaines de mètres. Le levé lui-même dit, par ses blocs et ses cibles, si le nuage d'une époque est fléchi ; rigide le tient droit (sites courts, une seule station), élastique le laisse fléchir au moindre indice.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Blocks of the survey worked on at the same time; each takes about 1 GB of memory.</source>
+      <translation>Secteurs du levé traités en même temps ; chacun prend environ 1 Go de mémoire.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Surveyed targets: point layer or CSV with point_id, easting, northing, height, sd_e, sd_n, sd_h (m).</source>
+      <translation>Cibles levées : couche de points ou CSV avec point_id, easting, northing, height, sd_e, sd_n, sd_h (m).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>The same targets as measured in this epoch's cloud: point layer or CSV with point_id, x, y, z (m).</source>
+      <translation>Les mêmes cibles mesurées dans le nuage de cette époque : couche de points ou CSV avec point_id, x, y, z (m).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Surveyed joints of cones, for validation only: CSV or layer with point_id, unit_easting, unit_northing, unit_height and position (m).</source>
+      <translation>Jonctions de cônes levées, pour validation seulement : CSV ou couche avec point_id, unit_easting, unit_northing, unit_height et position (m).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Give the height H of the unit, or choose a catalogue name with its mass, such as tetrapod 8 t.</source>
+      <translation>Donnez la hauteur H du bloc, ou choisissez un nom de catalogue avec sa masse, par exemple tetrapod 8 t.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>The type of unit must be tetrapod, or a catalogue name such as tetrapod 8 t.</source>
+      <translation>Le type de bloc doit être tetrapod, ou un nom de catalogue tel que tetrapod 8 t.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Control points and targets in the cloud belong together: give both, or neither.</source>
+      <translation>Points d'appui et cibles dans le nuage vont ensemble : donnez les deux, ou aucun.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Time of the survey (UTC)</source>
+      <translation>Heure du levé (UTC)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Epoch {label} (row {row})</source>
+      <translation>Époque {label} (ligne {row})</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Calibrate radius and taper</source>
+      <translation>Étalonner rayon et conicité</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Height H of the unit (m)</source>
+      <translation>Hauteur H du bloc (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Cone radius at the centre (m)</source>
+      <translation>Rayon du cône au centre (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Taper of the leg</source>
+      <translation>Conicité de la jambe</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Leg length (m)</source>
+      <translation>Longueur de jambe (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Angle between the legs</source>
+      <translation>Angle entre les jambes</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Area of interest</source>
+      <translation>Zone d'intérêt</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Stable areas</source>
+      <translation>Zones stables</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Frames of the epochs</source>
+      <translation>Repères des époques</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Worker processes</source>
+      <translation>Processus de calcul</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>The cone radius must be smaller than half the height of the unit.</source>
+      <translation>Le rayon du cône doit être inférieur à la moitié de la hauteur du bloc.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>The area of interest holds no polygon.</source>
+      <translation>La zone d'intérêt ne contient aucun polygone.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>The area of interest has several separate parts; give one polygon.</source>
+      <translation>La zone d'intérêt a plusieurs parties séparées ; donnez un seul polygone.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Virtual point clouds (*.vpc)</source>
+      <translation>Nuages de points virtuels (*.vpc)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>All files (*.*)</source>
+      <translation>Tous les fichiers (*.*)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>Epoch in row {row}</source>
+      <translation>Époque de la ligne {row}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>tetrahedral (109.5°)</source>
+      <translation>tétraédrique (109,5°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>as in the paper (120°)</source>
+      <translation>comme dans l'article (120°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>{crs} is geographic; choose a projected CRS in metres.</source>
+      <translation>{crs} est géographique ; choisissez un SCR projeté en mètres.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>{where}: no LAS or LAZ file is given.</source>
+      <translation>{where} : aucun fichier LAS ou LAZ n'est donné.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>The layers {one} and {other} have different CRS, and that of {one} is set by hand. Set the same one for both.</source>
+      <translation>Les couches {one} et {other} ont des SCR différents, et celui de {one} est défini à la main. Définissez le même pour les deux.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>{layer} cannot be written: {reason}.</source>
+      <translation>{layer} ne peut pas être écrit : {reason}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>{layer} has no field {fields}; it has {present}.</source>
+      <translation>{layer} n'a pas de champ {fields} ; elle a {present}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>LAS and LAZ ({endings})</source>
+      <translation>LAS et LAZ ({endings})</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>{where}: the folder {path} holds no LAS or LAZ file.</source>
+      <translation>{where} : le dossier {path} ne contient aucun fichier LAS ou LAZ.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/inputs.py" />
+      <source>{where}: {path} is not a virtual point cloud.</source>
+      <translation>{where} : {path} n'est pas un nuage de points virtuel.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>error as targets see it</source>
+      <translation>erreur vue par les cibles</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>difference of two epochs as units see it</source>
+      <translation>différence de deux époques vue par les blocs</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>strip against its epoch</source>
+      <translation>bande par rapport à son époque</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>moved as one</source>
+      <translation>déplacé d'un bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>no common motion that could be told</source>
+      <translation>pas de mouvement commun décelable</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>found</source>
+      <translation>trouvé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>uncertain</source>
+      <translation>incertain</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>new</source>
+      <translation>nouveau</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>relocated</source>
+      <translation>emporté</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>stable</source>
+      <translation>stable</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>moved</source>
+      <translation>déplacé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>rotated</source>
+      <translation>tourné</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>lost: the place is empty</source>
+      <translation>perdu : la place est vide</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>unseen: known from another epoch</source>
+      <translation>non vu : connu d'une autre époque</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>unexplained points where a unit fits</source>
+      <translation>points inexpliqués là où un bloc tient</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>hole where a unit fits</source>
+      <translation>trou où un bloc tient</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>below the detection limit</source>
+      <translation>sous la limite de détection</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>relocated unit</source>
+      <translation>bloc emporté</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>uncertain unit</source>
+      <translation>bloc incertain</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>observed</source>
+      <translation>observé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>derived from the rest of the unit</source>
+      <translation>déduit du reste du bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>used</source>
+      <translation>utilisé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>disturbed, not used</source>
+      <translation>perturbé, non utilisé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>not used</source>
+      <translation>non utilisé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>check point</source>
+      <translation>point de contrôle</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>placeholder for a unit not found</source>
+      <translation>place d’un bloc non trouvé</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>place of a correction</source>
+      <translation>lieu d’une correction</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>picked by hand</source>
+      <translation>pointé à la main</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Outlines of the units</source>
+      <translation>Contours des blocs</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Surfaces of the units (3D)</source>
+      <translation>Surfaces des blocs (3D)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Placement of the units</source>
+      <translation>Pose des blocs</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Gaps</source>
+      <translation>Lacunes</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Feature points</source>
+      <translation>Points caractéristiques</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Displacements</source>
+      <translation>Déplacements</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Displacements, other pairs and datum</source>
+      <translation>Déplacements, autres paires et autre référence</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Errors of bent frames</source>
+      <translation>Erreurs des repères courbés</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Stretches that moved as one</source>
+      <translation>Tronçons déplacés d'un bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Control residuals</source>
+      <translation>Résidus aux points d'appui</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Check residuals</source>
+      <translation>Écarts aux points de contrôle</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Reviews</source>
+      <translation>Vérifications</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Corrections and placeholders</source>
+      <translation>Corrections et places</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>Points picked by hand</source>
+      <translation>Points pointés à la main</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
+      <translation>flèche de 10 mm : {length} ; ellipse : 95 %</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>significant, up to {length}</source>
+      <translation>significatif, jusqu’à {length}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>{least} to {most}: watch</source>
+      <translation>{least} à {most} : surveiller</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>more than {length}: alert</source>
+      <translation>plus de {length} : alerte</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/plan_chart.py" />
+      <source>Which displacement a planned survey detects</source>
+      <translation>Quel déplacement un levé prévu détecte</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/plan_chart.py" />
+      <source>A unit that moves by {length} in its worst direction is found with the chosen power; the mark in the chart.</source>
+      <translation>Un bloc qui bouge de {length} dans sa pire direction est trouvé avec la puissance choisie ; la marque du graphique.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/plan_chart.py" />
+      <source>{share} % of a unit seen</source>
+      <translation>{share} % d’un bloc vus</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/plan_chart.py" />
+      <source>Detectable displacement ({unit})</source>
+      <translation>Déplacement détectable ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/wording.py" />
+      <source>The epochs and the unit given</source>
+      <translation>Les époques et le bloc indiqués</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/wording.py" />
+      <source>{table}, row {row}</source>
+      <translation>{table}, ligne {row}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/wording.py" />
+      <source>{table}, field names</source>
+      <translation>{table}, noms des champs</translation>
+    </message>
+    <message>
       <location filename="../algorithms/survey_algorithm.py" />
       <source>The tiles declare no CRS: results are in a local frame. Choose the CRS of the results to change that.</source>
       <translation>Les dalles ne déclarent aucun SCR : les résultats sont dans un repère local. Choisissez le SCR des résultats pour changer cela.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/survey_algorithm.py" />
+      <source>Epoch {label}</source>
+      <translation>Époque {label}</translation>
     </message>
     <message>
       <location filename="../algorithms/trackdisplacements.py" />
@@ -1014,174 +2289,169 @@
       <translation>Couche d'Extraire les points caractéristiques, d'une époque.</translation>
     </message>
     <message>
-      <location filename="../algorithms/validatesurvey.py" />
-      <source>Feature points</source>
-      <translation>Points caractéristiques</translation>
-    </message>
-    <message>
-      <location filename="../plugin/engine.py" />
-      <source>The tetratrack engine is not installed: open Settings &gt; Options &gt; Tetratrack and create its environment or choose one.</source>
-      <translation>Le moteur tetratrack n'est pas installé : ouvrez Préférences &gt; Options &gt; Tetratrack et créez son environnement ou choisissez-en un.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/engine.py" />
-      <source>The engine ended unexpectedly (exit code {code}); QGIS and your data are unharmed.</source>
-      <translation>Le moteur s'est arrêté de façon inattendue (code {code}) ; QGIS et vos données sont intacts.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/engine.py" />
-      <source>The engine could not be started with {python}: {reason}.</source>
-      <translation>Le moteur n'a pas pu démarrer avec {python} : {reason}.</translation>
-    </message>
-    <message>
       <location filename="../plugin/engine_task.py" />
       <source>Cancelled.</source>
       <translation>Annulé.</translation>
     </message>
     <message>
-      <location filename="../plugin/layers.py" />
-      <source>found</source>
-      <translation>trouvé</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>uncertain</source>
-      <translation>incertain</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>new</source>
-      <translation>nouveau</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>relocated</source>
-      <translation>emporté</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>lost: the place is empty</source>
-      <translation>perdu : la place est vide</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>unseen: known from another epoch</source>
-      <translation>non vu : connu d'une autre époque</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>unexplained points where a unit fits</source>
-      <translation>points inexpliqués là où un bloc tient</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>hole where a unit fits</source>
-      <translation>trou où un bloc tient</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>arrow of 10 mm: 50 mm; ellipse: 95 %</source>
-      <translation>flèche de 10 mm : 50 mm ; ellipse : 95 %</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>below the detection limit</source>
-      <translation>sous la limite de détection</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>significant, up to 50 mm</source>
-      <translation>significatif, jusqu'à 50 mm</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>50 to 100 mm: watch</source>
-      <translation>50 à 100 mm : vigilance</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>more than 100 mm: alert</source>
-      <translation>plus de 100 mm : alerte</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>relocated unit</source>
-      <translation>bloc emporté</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>uncertain unit</source>
-      <translation>bloc incertain</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>observed</source>
-      <translation>observé</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>derived from the rest of the unit</source>
-      <translation>déduit du reste du bloc</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>used</source>
-      <translation>utilisé</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>disturbed, not used</source>
-      <translation>perturbé, non utilisé</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>not used</source>
-      <translation>non utilisé</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>check point</source>
-      <translation>point de contrôle</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>Gaps</source>
-      <translation>Lacunes</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>Displacements</source>
-      <translation>Déplacements</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>Displacements, other pairs and datum</source>
-      <translation>Déplacements, autres paires et autre référence</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>Control residuals</source>
-      <translation>Résidus aux points d'appui</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>Check residuals</source>
-      <translation>Écarts aux points de contrôle</translation>
-    </message>
-    <message>
-      <location filename="../plugin/layers.py" />
-      <source>Reviews</source>
-      <translation>Vérifications</translation>
-    </message>
-    <message>
-      <location filename="../plugin/options.py" />
-      <source>Create a Python environment in {folder} and download about {size} of libraries into it?</source>
-      <translation>Créer un environnement Python dans {folder} et y télécharger environ {size} de bibliothèques ?</translation>
-    </message>
-    <message>
-      <location filename="../plugin/options.py" />
+      <location filename="../plugin/environment_task.py" />
       <source>Creating the tetratrack engine</source>
       <translation>Création du moteur tetratrack</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>Another window of QGIS is creating the engine at this moment.</source>
+      <translation>Une autre fenêtre de QGIS est en train de créer le moteur.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>Making an empty environment</source>
+      <translation>Création d'un environnement vide</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>Trying the libraries</source>
+      <translation>Essai des bibliothèques</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>The engine's environment could not be created: {reason} (everything that was said: {log})</source>
+      <translation>L'environnement du moteur n'a pas pu être créé : {reason} (toute la sortie : {log})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>Looking for the libraries</source>
+      <translation>Recherche des bibliothèques</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>Fetching {name}: {done} of about {all} MB</source>
+      <translation>Téléchargement de {name} : {done} sur environ {all} Mo</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>Unpacking libraries: {count} of {all}</source>
+      <translation>Décompression des bibliothèques : {count} sur {all}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>The engine needs {needed} GB on the disk of {folder}, and {free} GB are free.</source>
+      <translation>Le moteur a besoin de {needed} Go sur le disque de {folder}, et {free} Go sont libres.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>{wheels} holds no wheels.</source>
+      <translation>{wheels} ne contient aucun wheel.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>{wheels} lacks {count} of the wheels that this version of the plugin needs: {names}.</source>
+      <translation>Il manque dans {wheels} {count} des wheels dont cette version de l'extension a besoin : {names}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>The engine in use cannot be replaced now: wait until its runs have ended.</source>
+      <translation>Le moteur en service ne peut pas être remplacé maintenant : attendez la fin de ses calculs.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
+      <source>Unpacking {file}</source>
+      <translation>Décompression de {file}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>Point clouds (*.las *.laz *.LAS *.LAZ *.vpc)</source>
+      <translation>Nuages de points (*.las *.laz *.LAS *.LAZ *.vpc)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>Choose a file…</source>
+      <translation>Choisir un fichier…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>Add an epoch</source>
+      <translation>Ajouter une époque</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>Remove the selected epochs</source>
+      <translation>Retirer les époques sélectionnées</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>user-defined</source>
+      <translation>personnalisé</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>Choose…</source>
+      <translation>Choisir…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>Table of points</source>
+      <translation>Table de points</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>Tables (*.csv *.txt *.gpkg);;All files (*)</source>
+      <translation>Tables (*.csv *.txt *.gpkg);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>Files…</source>
+      <translation>Fichiers…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>Folder…</source>
+      <translation>Dossier…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_table.py" />
+      <source>Layer {name}</source>
+      <translation>Couche {name}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/epoch_wrapper.py" />
+      <source>{count} epochs…</source>
+      <translation>{count} époques…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/keyboard.py" />
+      <source>Arrows move, + and - zoom, Home resets; Enter picks the point in the middle</source>
+      <translation>Les flèches déplacent, + et - zooment, Début rétablit ; Entrée choisit le point au milieu</translation>
+    </message>
+    <message>
+      <location filename="../plugin/keyboard.py" />
+      <source>Plan of the unit</source>
+      <translation>Plan du bloc</translation>
+    </message>
+    <message>
+      <location filename="../plugin/keyboard.py" />
+      <source>Section of the unit</source>
+      <translation>Coupe du bloc</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Python 3.11 to 3.13 was not found: install it, or choose an interpreter of the engine above.</source>
+      <translation>Python 3.11 à 3.13 est introuvable : installez-le ou choisissez ci-dessus un interpréteur pour le moteur.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Create a Python environment in {folder} and download libraries into it? It takes about {size} of disk.</source>
+      <translation>Créer un environnement Python dans {folder} et y télécharger des bibliothèques ? Il occupe environ {size} sur le disque.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Create a Python environment in {folder} from the wheels in {wheels}? It takes about {size} of disk.</source>
+      <translation>Créer un environnement Python dans {folder} à partir des wheels de {wheels} ? Il occupe environ {size} sur le disque.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Try again…</source>
+      <translation>Réessayer…</translation>
     </message>
     <message>
       <location filename="../plugin/options.py" />
@@ -1190,13 +2460,33 @@
     </message>
     <message>
       <location filename="../plugin/options.py" />
-      <source>Empty uses the environment that the plugin creates.</source>
-      <translation>Vide utilise l'environnement que l'extension crée.</translation>
+      <source>Empty uses the environment that the plugin creates; a folder of an environment will do.</source>
+      <translation>Vide utilise l'environnement que crée l'extension ; le dossier d'un environnement convient.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Folder or ZIP of wheels</source>
+      <translation>Dossier ou ZIP de wheels</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>For computers without a network: what was fetched on another one. Empty fetches the libraries.</source>
+      <translation>Pour les ordinateurs sans réseau : ce qui a été téléchargé sur un autre. Vide : les bibliothèques sont téléchargées.</translation>
     </message>
     <message>
       <location filename="../plugin/options.py" />
       <source>Create the engine's environment…</source>
       <translation>Créer l'environnement du moteur…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Cancel</source>
+      <translation>Annuler</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>Show the log</source>
+      <translation>Afficher le journal</translation>
     </message>
     <message>
       <location filename="../plugin/options.py" />
@@ -1215,13 +2505,23 @@
     </message>
     <message>
       <location filename="../plugin/options.py" />
-      <source>Python 3.11 or later was not found: install it, or choose an interpreter of the engine above.</source>
-      <translation>Python 3.11 ou plus récent est introuvable : installez-le, ou choisissez ci-dessus un interpréteur du moteur.</translation>
+      <source>{python} is no file.</source>
+      <translation>{python} n'est pas un fichier.</translation>
     </message>
     <message>
       <location filename="../plugin/options.py" />
-      <source>The engine's environment could not be created: {reason}</source>
-      <translation>L'environnement du moteur n'a pas pu être créé : {reason}</translation>
+      <source>{python} is no Python interpreter.</source>
+      <translation>{python} n'est pas un interpréteur Python.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>{python} is Python {version}; the engine needs 3.11 or later.</source>
+      <translation>{python} est Python {version} ; le moteur demande 3.11 ou plus.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/options.py" />
+      <source>{python} lacks the engine's libraries: {modules}.</source>
+      <translation>Il manque à {python} les bibliothèques du moteur : {modules}.</translation>
     </message>
     <message>
       <location filename="../plugin/options.py" />
@@ -1229,19 +2529,79 @@
       <translation>Utilisé : {python}</translation>
     </message>
     <message>
-      <location filename="../plugin/provider.py" />
-      <source>Tetratrack: displacements of tetrapods</source>
-      <translation>Tetratrack : déplacements de tétrapodes</translation>
+      <location filename="../plugin/options.py" />
+      <source>Can be used: {python}</source>
+      <translation>Utilisable : {python}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/pip_words.py" />
+      <source>the disk is full</source>
+      <translation>le disque est plein</translation>
+    </message>
+    <message>
+      <location filename="../plugin/pip_words.py" />
+      <source>this Python cannot make environments; on Debian and Ubuntu install python3-venv first</source>
+      <translation>ce Python ne peut pas créer d'environnements ; sous Debian et Ubuntu, installez d'abord python3-venv</translation>
+    </message>
+    <message>
+      <location filename="../plugin/pip_words.py" />
+      <source>the proxy wants a user name and password: state them in Settings &gt; Options &gt; Network</source>
+      <translation>le proxy demande un nom d'utilisateur et un mot de passe : indiquez-les dans Préférences &gt; Options &gt; Réseau</translation>
+    </message>
+    <message>
+      <location filename="../plugin/pip_words.py" />
+      <source>the proxy is of the kind SOCKS, which the installer does not know; choose a folder of wheels</source>
+      <translation>le proxy est de type SOCKS, que l'installateur ne connaît pas ; choisissez un dossier de wheels</translation>
+    </message>
+    <message>
+      <location filename="../plugin/pip_words.py" />
+      <source>the registry's certificate is not trusted: import your network's authority in Settings &gt; Options &gt; Authentication</source>
+      <translation>le certificat du dépôt n'est pas reconnu : importez l'autorité de votre réseau dans Préférences &gt; Options &gt; Authentification</translation>
+    </message>
+    <message>
+      <location filename="../plugin/pip_words.py" />
+      <source>the proxy cannot be reached: see Settings &gt; Options &gt; Network</source>
+      <translation>le proxy est inaccessible : voyez Préférences &gt; Options &gt; Réseau</translation>
+    </message>
+    <message>
+      <location filename="../plugin/pip_words.py" />
+      <source>a file is not the one that this version of the plugin needs: it was damaged or changed on its way; try again</source>
+      <translation>un fichier n'est pas celui dont cette version de l'extension a besoin : il a été endommagé ou modifié en chemin ; réessayez</translation>
+    </message>
+    <message>
+      <location filename="../plugin/pip_words.py" />
+      <source>the connection broke while a file was fetched; try again, what is complete is not fetched twice</source>
+      <translation>la connexion a été coupée pendant un téléchargement ; réessayez, ce qui est complet n'est pas téléchargé deux fois</translation>
+    </message>
+    <message>
+      <location filename="../plugin/pip_words.py" />
+      <source>no package registry can be reached from this computer; without a network choose a folder of wheels</source>
+      <translation>aucun dépôt de paquets n'est accessible depuis cet ordinateur ; sans réseau, choisissez un dossier de wheels</translation>
+    </message>
+    <message>
+      <location filename="../plugin/pip_words.py" />
+      <source>a library of the system is missing; on Debian and Ubuntu install libegl1 libgl1 libgomp1</source>
+      <translation>une bibliothèque du système manque ; sous Debian et Ubuntu, installez libegl1 libgl1 libgomp1</translation>
+    </message>
+    <message>
+      <location filename="../plugin/print_map.py" />
+      <source>Displacements of armour units</source>
+      <translation>Déplacements des blocs de carapace</translation>
+    </message>
+    <message>
+      <location filename="../plugin/print_map.py" />
+      <source>Legend</source>
+      <translation>Légende</translation>
+    </message>
+    <message>
+      <location filename="../plugin/print_map.py" />
+      <source>{pair}, datum: {datum}</source>
+      <translation>{pair}, référence : {datum}</translation>
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
-      <source>Survey description</source>
-      <translation>Description du levé</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_corrections.py" />
-      <source>Survey (*.toml)</source>
-      <translation>Levé (*.toml)</translation>
+      <source>Pin by three joints</source>
+      <translation>Fixer par trois jonctions</translation>
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
@@ -1295,8 +2655,8 @@
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
-      <source>Take back the last correction</source>
-      <translation>Annuler la dernière correction</translation>
+      <source>Take back your last correction</source>
+      <translation>Annuler votre dernière correction</translation>
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
@@ -1320,8 +2680,18 @@
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
+      <source>Nothing was stored: pick the three joints again.</source>
+      <translation>Rien n'a été enregistré : pointez de nouveau les trois jonctions.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
       <source>pinned by three joints</source>
       <translation>fixé par trois jonctions</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>The three points do not fit the shape of {unit}: they are {misfit} off, where {worst} would be usual. Were they joints of this unit? Store the pose all the same?</source>
+      <translation>Les trois points ne correspondent pas à la forme de {unit} : écart de {misfit}, contre {worst} d'ordinaire. Étaient-ce des jonctions de ce bloc ? Enregistrer la pose quand même ?</translation>
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
@@ -1335,8 +2705,18 @@
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
-      <source>There is no correction to take back.</source>
-      <translation>Il n'y a pas de correction à annuler.</translation>
+      <source>There is no correction of yours to take back.</source>
+      <translation>Vous n'avez aucune correction à annuler.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey description</source>
+      <translation>Description du levé</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
+      <source>Survey (*.toml)</source>
+      <translation>Levé (*.toml)</translation>
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
@@ -1425,6 +2805,11 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
+      <source>{legs}; {missing} missing, probability {share:.0%}</source>
+      <translation>{legs} ; {missing} manquants, probabilité {share:.0%}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
       <source>Check point</source>
       <translation>Point de contrôle</translation>
     </message>
@@ -1471,7 +2856,7 @@
     <message>
       <location filename="../plugin/review_details.py" />
       <source>Height</source>
-      <translation>Altitude</translation>
+      <translation>Hauteur</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -1505,11 +2890,6 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Legs seen</source>
-      <translation>Jambes vues</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
       <source>{shown} of {all} units shown</source>
       <translation>{shown} blocs sur {all} montrés</translation>
     </message>
@@ -1530,23 +2910,18 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Displacement</source>
-      <translation>Déplacement</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
       <source>none: one of the two positions is not known</source>
       <translation>aucun : une des deux positions est inconnue</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Rotation</source>
-      <translation>Rotation</translation>
+      <source>Test against no motion</source>
+      <translation>Test contre l'immobilité</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Test against no motion</source>
-      <translation>Test contre l'immobilité</translation>
+      <source>Broken legs</source>
+      <translation>Branches cassées</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -1575,13 +2950,13 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>taken back</source>
-      <translation>repris</translation>
+      <source>Picked by hand</source>
+      <translation>Pointé à la main</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Picked by hand</source>
-      <translation>Pointé à la main</translation>
+      <source>taken back by {who}</source>
+      <translation>annulé par {who}</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -1630,6 +3005,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>A click on the map picks the unit or arrow there</source>
+      <translation>Un clic sur la carte choisit le bloc ou la flèche qui s’y trouve</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>Correct a unit</source>
       <translation>Corriger un bloc</translation>
     </message>
@@ -1640,23 +3020,28 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>Report with more choices…</source>
+      <translation>Rapport avec plus de choix…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>A page to print, with the map as it stands</source>
+      <translation>Une page à imprimer, avec la carte telle quelle</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>Export the alarm list…</source>
       <translation>Exporter la liste d'alerte…</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
-      <source>PDF (*.pdf);;Web page (*.html)</source>
-      <translation>PDF (*.pdf);;Page web (*.html)</translation>
+      <source>Web page (*.html);;PDF (*.pdf)</source>
+      <translation>Page web (*.html);;PDF (*.pdf)</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
       <source>Alarm list</source>
       <translation>Liste d'alerte</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_dock.py" />
-      <source>Threshold (cm)</source>
-      <translation>Seuil (cm)</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1667,6 +3052,11 @@
       <location filename="../plugin/review_dock.py" />
       <source>Decisions of another reviewer were taken in.</source>
       <translation>Les décisions d'un autre vérificateur ont été reprises.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>Corrections of another reviewer were taken in.</source>
+      <translation>Les corrections d'un autre relecteur ont été prises en compte.</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1690,6 +3080,16 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>Threshold ({unit})</source>
+      <translation>Seuil ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>{name} was closed with its layers. Every decision is stored: open it again to go on.</source>
+      <translation>{name} a été fermé avec ses couches. Toutes les décisions sont enregistrées : rouvrez-le pour continuer.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>Make a polygon layer active first.</source>
       <translation>Activez d'abord une couche de polygones.</translation>
     </message>
@@ -1702,6 +3102,11 @@
       <location filename="../plugin/review_dock.py" />
       <source>Everywhere</source>
       <translation>Partout</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The page {name} is in the project's layouts.</source>
+      <translation>La page {name} est dans les mises en page du projet.</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -1734,6 +3139,36 @@
       <translation>{count} blocs écrits dans {name}.</translation>
     </message>
     <message>
+      <location filename="../plugin/review_exports.py" />
+      <source>Open 3D view</source>
+      <translation>Ouvrir la vue 3D</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_exports.py" />
+      <source>Model, sections and design</source>
+      <translation>Modèle, coupes et projet</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_exports.py" />
+      <source>Export as-built model…</source>
+      <translation>Exporter le modèle tel que construit…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_exports.py" />
+      <source>Compare with design…</source>
+      <translation>Comparer au projet…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_exports.py" />
+      <source>Cross-sections and crest…</source>
+      <translation>Coupes et crête…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_exports.py" />
+      <source>Points less blocks…</source>
+      <translation>Points moins blocs…</translation>
+    </message>
+    <message>
       <location filename="../plugin/review_map.py" />
       <source>Units reviewed</source>
       <translation>Blocs vérifiés</translation>
@@ -1755,28 +3190,23 @@
     </message>
     <message>
       <location filename="../plugin/review_map.py" />
+      <source>Placeholders and corrections</source>
+      <translation>Places et corrections</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_map.py" />
       <source>Displacement review: {name}</source>
       <translation>Vérification des déplacements : {name}</translation>
     </message>
     <message>
-      <location filename="../plugin/review_panels.py" />
-      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
-      <translation>Ouvrez le result.gpkg d'un levé de deux époques ou plus pour vérifier ses déplacements.</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_panels.py" />
-      <source>Open result…</source>
-      <translation>Ouvrir un résultat…</translation>
+      <location filename="../plugin/review_map.py" />
+      <source>Displacements: {datum}</source>
+      <translation>Déplacements : {datum}</translation>
     </message>
     <message>
       <location filename="../plugin/review_panels.py" />
       <source>Epochs compared</source>
       <translation>Époques comparées</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_panels.py" />
-      <source>Reference of the displacements</source>
-      <translation>Référence des déplacements</translation>
     </message>
     <message>
       <location filename="../plugin/review_panels.py" />
@@ -1805,6 +3235,16 @@
     </message>
     <message>
       <location filename="../plugin/review_panels.py" />
+      <source>On the map too</source>
+      <translation>Sur la carte aussi</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>The map shows only the units that the list shows</source>
+      <translation>La carte ne montre que les blocs que montre la liste</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_panels.py" />
       <source>Unit…</source>
       <translation>Bloc…</translation>
     </message>
@@ -1812,11 +3252,6 @@
       <location filename="../plugin/review_panels.py" />
       <source>Comment, stored with the decision</source>
       <translation>Commentaire, enregistré avec la décision</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_panels.py" />
-      <source>Reviewer</source>
-      <translation>Vérificateur</translation>
     </message>
     <message>
       <location filename="../plugin/review_panels.py" />
@@ -1879,6 +3314,11 @@
       <translation>Reprendre votre dernière décision (U)</translation>
     </message>
     <message>
+      <location filename="../plugin/review_panels.py" />
+      <source>Open</source>
+      <translation>Ouvrir</translation>
+    </message>
+    <message>
       <location filename="../plugin/review_plots.py" />
       <source>Plan</source>
       <translation>Plan</translation>
@@ -1935,6 +3375,16 @@
     </message>
     <message>
       <location filename="../plugin/review_tabs.py" />
+      <source>Read the points…</source>
+      <translation>Lire les points…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
+      <source>Reads the points around the units from the tiles of the survey, for the views and for picking</source>
+      <translation>Lit dans les dalles du levé les points autour des blocs, pour les vues et le pointage</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_tabs.py" />
       <source>Numbers</source>
       <translation>Nombres</translation>
     </message>
@@ -1947,21 +3397,6 @@
       <location filename="../plugin/review_tabs.py" />
       <source>points not read yet</source>
       <translation>points pas encore lus</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_text.py" />
-      <source>stable</source>
-      <translation>stable</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_text.py" />
-      <source>moved</source>
-      <translation>déplacé</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_text.py" />
-      <source>rotated</source>
-      <translation>tourné</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2000,16 +3435,6 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
-      <source>Unit</source>
-      <translation>Bloc</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_text.py" />
-      <source>Class</source>
-      <translation>Classe</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_text.py" />
       <source>Displ.</source>
       <translation>Dépl.</translation>
     </message>
@@ -2032,11 +3457,6 @@
       <location filename="../plugin/review_text.py" />
       <source>p</source>
       <translation>p</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_text.py" />
-      <source>Decision</source>
-      <translation>Décision</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2090,16 +3510,6 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
-      <source>stable units and control</source>
-      <translation>blocs stables et appui</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_text.py" />
-      <source>control points alone</source>
-      <translation>points d'appui seuls</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_text.py" />
       <source>decided</source>
       <translation>a décidé</translation>
     </message>
@@ -2112,6 +3522,16 @@
       <location filename="../plugin/review_text.py" />
       <source>took back</source>
       <translation>a repris</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>changed the numbers, which ended</source>
+      <translation>a changé les chiffres, ce qui a mis fin à</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>brought back the numbers of</source>
+      <translation>a rétabli les chiffres de</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -2129,454 +3549,1179 @@
       <translation>Déplacement vertical du centre, positif vers le haut ({unit})</translation>
     </message>
     <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Open result…</source>
+      <translation>Ouvrir un résultat…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Take the point cloud layers</source>
+      <translation>Prendre les couches de nuages de points</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>estimated from the cloud</source>
+      <translation>estimée d’après le nuage</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>as the tiles declare</source>
+      <translation>comme le déclarent les dalles</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Run</source>
+      <translation>Exécuter</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Open the result.gpkg of a survey with two epochs or more to review its displacements.</source>
+      <translation>Ouvrez le result.gpkg d'un levé de deux époques ou plus pour vérifier ses déplacements.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Or make one: choose the folder that holds the tiles of all epochs, look through the table, press Run.</source>
+      <translation>Ou faites-en un : choisissez le dossier qui contient les dalles de toutes les époques, parcourez la table, appuyez sur Exécuter.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Height H of the unit</source>
+      <translation>Hauteur H du bloc</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Looking at the tiles</source>
+      <translation>Examen des dalles</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Writing the survey</source>
+      <translation>Écriture du levé</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>The project has no point cloud layer that lies in a file: choose a folder instead.</source>
+      <translation>Le projet n’a aucune couche de nuage de points dans un fichier : choisissez plutôt un dossier.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Choose where the result is to be written.</source>
+      <translation>Choisissez où écrire le résultat.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Answer first what is asked above.</source>
+      <translation>Répondez d’abord à ce qui est demandé ci-dessus.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>Units of {heights} m height.</source>
+      <translation>Blocs de {heights} m de hauteur.</translation>
+    </message>
+    <message>
       <location filename="../plugin/tetratrack_plugin.py" />
       <source>Monitor a survey…</source>
       <translation>Suivre un levé…</translation>
     </message>
     <message>
-      <location filename="../core/section_check.html" />
+      <location filename="../plugin/tetratrack_plugin.py" />
+      <source>Try the sample…</source>
+      <translation>Essayer l'exemple…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/tetratrack_plugin.py" />
+      <source>Engine…</source>
+      <translation>Moteur…</translation>
+    </message>
+    <message>
+      <location filename="../plugin/tetratrack_plugin.py" />
+      <source>An engine is needed before anything can be computed.</source>
+      <translation>Un moteur est nécessaire avant tout calcul.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/tetratrack_plugin.py" />
+      <source>The sample cannot be copied to {folder}: {reason}.</source>
+      <translation>L'exemple ne peut pas être copié dans {folder} : {reason}.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/view_3d.py" />
+      <source>Tetrapods in 3D</source>
+      <translation>Tétrapodes en 3D</translation>
+    </message>
+    <message>
+      <location filename="../plugin/view_3d.py" />
+      <source>Displacements in 3D</source>
+      <translation>Déplacements en 3D</translation>
+    </message>
+    <message>
+      <location filename="../plugin/view_3d.py" />
+      <source>significant displacement, enlarged {scale} times</source>
+      <translation>déplacement significatif, agrandi {scale} fois</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_blocks.html" />
+      <source>Blocks</source>
+      <translation>Blocs</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_blocks.html" />
+      <source>View of the blocks by class</source>
+      <translation>Vue des blocs par classe</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_blocks.html" />
+      <source>Fitted units of {epoch} by class, seen from the low side.</source>
+      <translation>Blocs ajustés de {epoch} par classe, vus du côté bas.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Castings</source>
+      <translation>Blocs coulés</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Mould {name} of an earlier survey, of {units} units, is held.</source>
+      <translation>Le moule {name} d'un levé antérieur, tiré de {units} blocs, est imposé.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>The mould was learned from {units} units of this survey.</source>
+      <translation>Le moule a été déterminé à partir de {units} blocs de ce levé.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>H = {height} m: radius {radius} m, taper {taper}. Size of single castings ± {size}, radius of single legs ± {leg} mm (one standard deviation).</source>
+      <translation>H = {height} m : rayon {radius} m, conicité {taper}. Taille des blocs ± {size}, rayon des branches ± {leg} mm (un écart-type).</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Departure of the mould from its cones: along a leg, and unrolled around it. What is alike on all units is held; how single castings differ widens the standard deviations where two epochs see other surfaces.</source>
+      <translation>Écart du moule à ses cônes : le long d'une branche, et déroulé autour d'elle. Ce qui est commun à tous les blocs est imposé ; ce qui les distingue élargit les écarts-types là où deux époques voient d'autres surfaces.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Too few units show enough of themselves for a mould: cones are held, and castings vary as the literature says.</source>
+      <translation>Trop peu de blocs se montrent assez pour un moule : les cônes sont imposés, et les blocs varient comme le dit la littérature.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs seen whole: {whole}, broken: {broken}; the ends of {unseen} are not seen, and nothing is said of them.</source>
+      <translation>Branches vues entières : {whole}, cassées : {broken} ; le bout de {unseen} n'est pas vu, et rien n'en est dit.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Missing (m)</source>
+      <translation>Manque (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Easting (m)</source>
+      <translation>Est (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Northing (m)</source>
+      <translation>Nord (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>The result was made by a version that said nothing of legs.</source>
+      <translation>Le résultat vient d'une version qui ne disait rien des branches.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_check.html" />
       <source>Comparison with surveyed check points</source>
       <translation>Comparaison avec les points de contrôle levés</translation>
     </message>
     <message>
-      <location filename="../core/section_check.html" />
+      <location filename="../core/report/templates/section_check.html" />
       <source>Picked by hand (cm)</source>
       <translation>Pointé à la main (cm)</translation>
     </message>
     <message>
-      <location filename="../core/section_check.html" />
+      <location filename="../core/report/templates/section_check.html" />
       <source>Fitting (cm)</source>
       <translation>Ajustement (cm)</translation>
     </message>
     <message>
-      <location filename="../core/section_check.html" />
+      <location filename="../core/report/templates/section_check.html" />
       <source>Surveyed (cm)</source>
       <translation>Levé (cm)</translation>
     </message>
     <message>
-      <location filename="../core/section_check.html" />
+      <location filename="../core/report/templates/section_check.html" />
       <source>Error, picked (cm)</source>
       <translation>Erreur, pointé (cm)</translation>
     </message>
     <message>
-      <location filename="../core/section_check.html" />
+      <location filename="../core/report/templates/section_check.html" />
       <source>Error, fitting (cm)</source>
       <translation>Erreur, ajustement (cm)</translation>
     </message>
     <message>
-      <location filename="../core/section_check.html" />
+      <location filename="../core/report/templates/section_check.html" />
       <source>3D displacements of the same feature point, in the control frame (after Chan and Lichti, Table 1).</source>
       <translation>Déplacements 3D du même point caractéristique, dans le repère d'appui (d'après Chan and Lichti, tableau 1).</translation>
     </message>
     <message>
-      <location filename="../core/section_check.html" />
+      <location filename="../core/report/templates/section_check.html" />
       <source>The survey has no check points that both epochs share.</source>
       <translation>Le levé n'a pas de points de contrôle communs aux deux époques.</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>Survey control</source>
       <translation>Appui topographique</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>Congruence of the stable units</source>
       <translation>Congruence des blocs stables</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>Units that stand still together: {stable} of {all}; test of their congruence: p {p}.</source>
       <translation>Blocs immobiles ensemble : {stable} sur {all} ; test de leur congruence : p {p}.</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>Their common motion against the control points: east {e}, north {n}, up {h} cm; p {p}.</source>
       <translation>Leur mouvement commun par rapport aux points d'appui : est {e}, nord {n}, haut {h} cm ; p {p}.</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
-      <source>Point</source>
-      <translation>Point</translation>
-    </message>
-    <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>East (mm)</source>
       <translation>Est (mm)</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>North (mm)</source>
       <translation>Nord (mm)</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>Height (mm)</source>
       <translation>Altitude (mm)</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>Use</source>
       <translation>Emploi</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>disturbed, left out</source>
       <translation>perturbé, écarté</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>Residuals of the registration; w is the largest normalised residual of the three coordinates.</source>
       <translation>Résidus du rattachement ; w est le plus grand résidu normalisé des trois coordonnées.</translation>
     </message>
     <message>
-      <location filename="../core/section_control.html" />
+      <location filename="../core/report/templates/section_control.html" />
       <source>There is no survey control: displacements are relative to the frame of the clouds.</source>
       <translation>Il n'y a pas d'appui : les déplacements se rapportent au repère des nuages.</translation>
     </message>
     <message>
-      <location filename="../core/section_damage.html" />
+      <location filename="../core/report/templates/section_damage.html" />
       <source>Damage</source>
       <translation>Dommages</translation>
     </message>
     <message>
-      <location filename="../core/section_damage.html" />
+      <location filename="../core/report/templates/section_damage.html" />
       <source>H = {height} m, Dn = {diameter} m. Lost and relocated units count as displaced by every threshold.</source>
       <translation>H = {height} m, Dn = {diameter} m. Les blocs perdus et emportés comptent comme déplacés à tous les seuils.</translation>
     </message>
     <message>
-      <location filename="../core/section_damage.html" />
+      <location filename="../core/report/templates/section_damage.html" />
       <source>Displaced by at least</source>
       <translation>Déplacé d'au moins</translation>
     </message>
     <message>
-      <location filename="../core/section_damage.html" />
+      <location filename="../core/report/templates/section_damage.html" />
       <source>Threshold (m)</source>
       <translation>Seuil (m)</translation>
     </message>
     <message>
-      <location filename="../core/section_damage.html" />
+      <location filename="../core/report/templates/section_damage.html" />
       <source>Share</source>
       <translation>Part</translation>
     </message>
     <message>
-      <location filename="../core/section_damage.html" />
+      <location filename="../core/report/templates/section_damage.html" />
+      <source>Movement bands</source>
+      <translation>Classes de mouvement</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_damage.html" />
+      <source>State of the armour in the words of Campos et al. (2020):</source>
+      <translation>État de la carapace selon les termes de Campos et al. (2020) :</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_damage.html" />
+      <source>No damage: no unit moved by one Dn or is lost. Initiation of damage: some did. Iribarren's damage: neighbours of the outer layer did. Initiation of destruction: a unit of the layer below did. Destruction cannot be told from units.</source>
+      <translation>Aucun dommage : aucun bloc n'a bougé d'un Dn ni n'est perdu. Début de dommage : certains l'ont fait. Dommage d'Iribarren : des voisins de la couche extérieure. Début de destruction : un bloc de la couche inférieure. La destruction ne se voit pas aux blocs.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_damage.html" />
       <source>over {width} m: units displaced by one Dn or more, relocated or lost, per Dn of width (van der Meer, 1988).</source>
       <translation>sur {width} m : blocs déplacés d'un Dn ou plus, emportés ou perdus, par Dn de largeur (van der Meer, 1988).</translation>
     </message>
     <message>
-      <location filename="../core/section_damage.html" />
+      <location filename="../core/report/templates/section_damage.html" />
       <source>Sections along the axis</source>
       <translation>Sections le long de l'axe</translation>
     </message>
     <message>
-      <location filename="../core/section_damage.html" />
+      <location filename="../core/report/templates/section_damage.html" />
       <source>Share of displaced units per section</source>
       <translation>Part de blocs déplacés par section</translation>
     </message>
     <message>
-      <location filename="../core/section_damage.html" />
+      <location filename="../core/report/templates/section_damage.html" />
       <source>Chainage (m)</source>
       <translation>Abscisse (m)</translation>
     </message>
     <message>
-      <location filename="../core/section_damage.html" />
+      <location filename="../core/report/templates/section_damage.html" />
       <source>No unit has a displacement to show.</source>
       <translation>Aucun bloc n'a de déplacement à montrer.</translation>
     </message>
     <message>
-      <location filename="../core/section_decisions.html" />
+      <location filename="../core/report/templates/section_decisions.html" />
       <source>Decisions and corrections</source>
       <translation>Décisions et corrections</translation>
     </message>
     <message>
-      <location filename="../core/section_decisions.html" />
-      <source>Confirmed by</source>
-      <translation>Confirmé par</translation>
-    </message>
-    <message>
-      <location filename="../core/section_decisions.html" />
-      <source>Comment</source>
-      <translation>Commentaire</translation>
-    </message>
-    <message>
-      <location filename="../core/section_decisions.html" />
+      <location filename="../core/report/templates/section_decisions.html" />
       <source>inspect on site</source>
       <translation>inspecter sur place</translation>
     </message>
     <message>
-      <location filename="../core/section_decisions.html" />
+      <location filename="../core/report/templates/section_decisions.html" />
       <source>No reviewer has decided on this epoch pair.</source>
       <translation>Aucun vérificateur n'a décidé de cette paire d'époques.</translation>
     </message>
     <message>
-      <location filename="../core/section_decisions.html" />
+      <location filename="../core/report/templates/section_decisions.html" />
       <source>Correction</source>
       <translation>Correction</translation>
     </message>
     <message>
-      <location filename="../core/section_decisions.html" />
+      <location filename="../core/report/templates/section_decisions.html" />
       <source>By</source>
       <translation>Par</translation>
     </message>
     <message>
-      <location filename="../core/section_displacements.html" />
+      <location filename="../core/report/templates/section_design.html" />
+      <source>As-built against design</source>
+      <translation>Ouvrage réalisé et projet</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Map of the units against the design</source>
+      <translation>Carte des blocs par rapport au projet</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Units of {epoch} against the design; coordinates in {crs}.</source>
+      <translation>Blocs de {epoch} par rapport au projet ; coordonnées en {crs}.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Units at a planned place</source>
+      <translation>Blocs à une place prévue</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Within the tolerance</source>
+      <translation>Dans la tolérance</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Outside the tolerance</source>
+      <translation>Hors de la tolérance</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Cannot be told</source>
+      <translation>Indécis</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Deviation, median and largest (cm)</source>
+      <translation>Écart, médiane et maximum (cm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Planned</source>
+      <translation>Prévu</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>East (cm)</source>
+      <translation>Est (cm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>North (cm)</source>
+      <translation>Nord (cm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Up (cm)</source>
+      <translation>Haut (cm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Deviation (cm)</source>
+      <translation>Écart (cm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Rotation (°)</source>
+      <translation>Rotation (°)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>The {count} units farthest from their place; all stand in the file of tetratrack design.</source>
+      <translation>Les {count} blocs les plus éloignés de leur place ; tous sont dans le fichier de tetratrack design.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Units under the profile's lines</source>
+      <translation>Blocs sous les lignes du profil</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Centre off the design, mean and RMS (m)</source>
+      <translation>Centre par rapport au projet, moyenne et RMS (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>Outermost point, mean and RMS (m)</source>
+      <translation>Point extrême, moyenne et RMS (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_design.html" />
+      <source>A unit is within or outside the tolerance where its standard deviation leaves no doubt of 5 % or more.</source>
+      <translation>Un bloc est dans ou hors de la tolérance lorsque son écart-type ne laisse pas un doute de 5 % ou plus.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_displacements.html" />
       <source>Map of displacements</source>
       <translation>Carte des déplacements</translation>
     </message>
     <message>
-      <location filename="../core/section_displacements.html" />
+      <location filename="../core/report/templates/section_displacements.html" />
       <source>Displacement of the units' centres.</source>
       <translation>Déplacement des centres des blocs.</translation>
     </message>
     <message>
-      <location filename="../core/section_displacements.html" />
+      <location filename="../core/report/templates/section_displacements.html" />
       <source>Histogram of displacements</source>
       <translation>Histogramme des déplacements</translation>
     </message>
     <message>
-      <location filename="../core/section_displacements.html" />
+      <location filename="../core/report/templates/section_displacements.html" />
       <source>Displacements of all units with the thresholds of the next section.</source>
       <translation>Déplacements de tous les blocs avec les seuils de la section suivante.</translation>
     </message>
     <message>
-      <location filename="../core/section_map.html" />
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Units, one by one</source>
+      <translation>Les blocs un par un</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Zoom in</source>
+      <translation>Zoom avant</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Zoom out</source>
+      <translation>Zoom arrière</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Whole map</source>
+      <translation>Carte entière</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Arrows</source>
+      <translation>Flèches</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
       <source>Map of the units by class</source>
       <translation>Carte des blocs par classe</translation>
     </message>
     <message>
-      <location filename="../core/section_map.html" />
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Search</source>
+      <translation>Rechercher</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>all</source>
+      <translation>toutes</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Displacement from (cm)</source>
+      <translation>Déplacement à partir de (cm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>significant only</source>
+      <translation>significatifs seulement</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Displacement (cm)</source>
+      <translation>Déplacement (cm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Blocks of both epochs</source>
+      <translation>Blocs des deux époques</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>transparent</source>
+      <translation>transparent</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Whole scene</source>
+      <translation>Scène entière</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Drag turns, shift and drag moves, the wheel zooms.</source>
+      <translation>Glisser tourne, Maj et glisser déplace, la molette zoome.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>This browser shows no 3D (WebGL): the picture of the blocks below stands for it.</source>
+      <translation>Ce navigateur n'affiche pas de 3D (WebGL) : l'image des blocs ci-dessous la remplace.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>East</source>
+      <translation>Est</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>North</source>
+      <translation>Nord</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Up</source>
+      <translation>Haut</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>{shown} of {all} units</source>
+      <translation>{shown} blocs sur {all}</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>enlarged {times} times</source>
+      <translation>agrandies {times} fois</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Control point</source>
+      <translation>Point de contrôle</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>Control point, not used</source>
+      <translation>Point de contrôle, non utilisé</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Frames and common motion</source>
+      <translation>Repères et mouvement commun</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>The clouds of these epochs are bent. What targets say of the bend is removed from positions and from displacements in datum control; what resting units say besides, from displacements in datum stable.</source>
+      <translation>Les nuages de ces époques sont courbés. Ce que les cibles en disent est retiré des positions et des déplacements dans la référence control ; ce que disent en outre les blocs immobiles, des déplacements dans la référence stable.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Bend, mean (mm)</source>
+      <translation>Courbure, moyenne (mm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Bend, largest (mm)</source>
+      <translation>Courbure, maximale (mm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Left unknown, mean (mm)</source>
+      <translation>Reste inconnu, moyenne (mm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Correlation length (m)</source>
+      <translation>Longueur de corrélation (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Targets used</source>
+      <translation>Cibles utilisées</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Error of the clouds along the structure with its 95 % band.</source>
+      <translation>Erreur des nuages le long de l'ouvrage avec sa bande à 95 %.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>No bend of the clouds could be told from the noise of units and targets: frames are held stiff.</source>
+      <translation>Aucune courbure des nuages ne se distingue du bruit des blocs et des cibles : les repères restent rigides.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Flight strips or stations drift against each other along the structure; this is removed.</source>
+      <translation>Les bandes de vol ou les stations dérivent entre elles le long de l'ouvrage ; cette dérive est retirée.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>The cloud of {epoch} was aligned by its units alone: a motion of the whole structure cannot be seen.</source>
+      <translation>Le nuage de {epoch} a été aligné par ses seuls blocs : un mouvement de tout l'ouvrage ne peut pas être vu.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Common motion of stretches</source>
+      <translation>Mouvement commun des tronçons</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Mean displacement of the units of each stretch against the targets; the band holds what is not known of the frames.</source>
+      <translation>Déplacement moyen des blocs de chaque tronçon par rapport aux cibles ; la bande contient ce qui reste inconnu des repères.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>There is no survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
+      <translation>Il n'y a pas de points d'appui : les tronçons sont comparés entre eux, et un mouvement de tous ne peut pas être décelé.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Height change and horizontal motion of stretches with their 95 % bands.</source>
+      <translation>Variation de hauteur et mouvement horizontal des tronçons avec leurs bandes à 95 %.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>From (m)</source>
+      <translation>De (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>To (m)</source>
+      <translation>À (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>No stretch moved as a whole by more than its band.</source>
+      <translation>Aucun tronçon ne s'est déplacé d'un bloc de plus que sa bande.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>Of {untold} of {all} stretches a common motion of one hundredth of the unit height cannot be told from the bend of the clouds: targets stand too far away.</source>
+      <translation>Pour {untold} tronçons sur {all}, un mouvement commun d'un centième de la hauteur du bloc ne se distingue pas de la courbure des nuages : les cibles sont trop loin.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
+      <source>The result was made by a version that said nothing of its frames.</source>
+      <translation>Le résultat vient d'une version qui ne disait rien de ses repères.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_map.html" />
       <source>Units by class and control points; coordinates in {crs}.</source>
       <translation>Blocs par classe et points d'appui ; coordonnées en {crs}.</translation>
     </message>
     <message>
-      <location filename="../core/section_method.html" />
+      <location filename="../core/report/templates/section_map.html" />
+      <source>Map of a part with the units' names</source>
+      <translation>Carte d'une partie avec les noms des blocs</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_map.html" />
+      <source>Part {number} of {all} along the structure.</source>
+      <translation>Partie {number} sur {all} le long de l'ouvrage.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_method.html" />
       <source>Method, settings and versions</source>
       <translation>Méthode, réglages et versions</translation>
     </message>
     <message>
-      <location filename="../core/section_method.html" />
+      <location filename="../core/report/templates/section_method.html" />
       <source>Units are found in the point cloud as four cones with a common centre, adjusted to their points (Gauss-Helmert model), and brought into the frame of the survey control; displacements are differences of the feature points that follow from the adjusted model, tested against their covariance (after Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</source>
       <translation>Les blocs sont trouvés dans le nuage de points comme quatre cônes de même centre, ajustés à leurs points (modèle de Gauss-Helmert) et amenés dans le repère d'appui ; les déplacements sont des différences des points caractéristiques tirés du modèle ajusté, testées contre leur covariance (d'après Chan and Lichti, Toward Seawall Monitoring via Tracking Model-Derived Feature Points of Tetrapods from 3D Point Clouds).</translation>
     </message>
     <message>
-      <location filename="../core/section_method.html" />
-      <source>Time</source>
-      <translation>Heure</translation>
-    </message>
-    <message>
-      <location filename="../core/section_method.html" />
+      <location filename="../core/report/templates/section_method.html" />
       <source>σ0 of the registration</source>
       <translation>σ0 du rattachement</translation>
     </message>
     <message>
-      <location filename="../core/section_method.html" />
-      <source>Software</source>
-      <translation>Logiciel</translation>
-    </message>
-    <message>
-      <location filename="../core/section_method.html" />
+      <location filename="../core/report/templates/section_method.html" />
       <source>Settings</source>
       <translation>Réglages</translation>
     </message>
     <message>
-      <location filename="../core/section_method.html" />
+      <location filename="../core/report/templates/section_method.html" />
       <source>Written {moment} by {software}.</source>
       <translation>Écrit le {moment} par {software}.</translation>
     </message>
     <message>
-      <location filename="../core/section_quality.html" />
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Placement</source>
+      <translation>Pose des blocs</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Units with neighbours on all sides</source>
+      <translation>Blocs entourés de voisins</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Nearest centre, median and 5 % (Dn)</source>
+      <translation>Centre le plus proche, médiane et 5 % (Dn)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Turn between neighbours, and expected at random</source>
+      <translation>Rotation entre voisins, et attendue au hasard</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Difference from turns at random, p</source>
+      <translation>Différence avec le hasard, p</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Contacts of a unit, mean</source>
+      <translation>Contacts d'un bloc, moyenne</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Free gap to the nearest unit, median (cm)</source>
+      <translation>Jeu au bloc le plus proche, médiane (cm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Units in a column, of those with one below</source>
+      <translation>Blocs en colonne, parmi ceux qui en ont un dessous</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Off the surface of their neighbours, RMS and largest (m)</source>
+      <translation>Écart à la surface des voisins, RMS et maximum (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Layer from outside</source>
+      <translation>Couche depuis l'extérieur</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Units per 100 m²</source>
+      <translation>Blocs par 100 m²</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Packing density, units per Dn²</source>
+      <translation>Densité de pose, blocs par Dn²</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Share of the design number</source>
+      <translation>Part du nombre de projet</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_placement.html" />
+      <source>Units of {epoch}, each in the plane through its neighbours; those at the edge do not count for density. Only units that were found are counted: hidden ones of a lower layer are not. The design number is {packing} units per Dn² and layer (Shore Protection Manual, 1984).</source>
+      <translation>Blocs de {epoch}, chacun dans le plan de ses voisins ; ceux du bord ne comptent pas pour la densité. Seuls les blocs trouvés sont comptés, pas ceux cachés d'une couche inférieure. Le nombre de projet est de {packing} blocs par Dn² et couche (Shore Protection Manual, 1984).</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_profiles.html" />
+      <source>Crest and cross-sections</source>
+      <translation>Crête et coupes</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_profiles.html" />
+      <source>Crest height along the structure</source>
+      <translation>Hauteur de la crête le long de l'ouvrage</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_profiles.html" />
+      <source>Mean height of the tops of the crest's units in each reach, with its 95 % band.</source>
+      <translation>Hauteur moyenne du sommet des blocs de crête de chaque tronçon, avec sa bande à 95 %.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_profiles.html" />
+      <source>Crest height (m)</source>
+      <translation>Hauteur de crête (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_profiles.html" />
+      <source>Highest (m)</source>
+      <translation>Plus haut (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_profiles.html" />
+      <source>Crest width (m)</source>
+      <translation>Largeur de crête (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_profiles.html" />
+      <source>Change (mm)</source>
+      <translation>Changement (mm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_profiles.html" />
+      <source>The crest of a reach are the units whose top lies less than 0.5 Dn below the highest one; its width is that of their outlines across the axis; the change is that of units that are the crest's in both epochs. Settlement of whole stretches stands under frames and common motion.</source>
+      <translation>La crête d'un tronçon sont les blocs dont le sommet est à moins de 0,5 Dn sous le plus haut ; sa largeur est celle de leurs contours en travers de l'axe ; le changement est celui des blocs qui sont de la crête aux deux époques. Le tassement de tronçons entiers figure sous repères et mouvement commun.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_profiles.html" />
+      <source>Cross-sections</source>
+      <translation>Coupes</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_quality.html" />
       <source>Quality of the units</source>
       <translation>Qualité des blocs</translation>
     </message>
     <message>
-      <location filename="../core/section_quality.html" />
+      <location filename="../core/report/templates/section_quality.html" />
       <source>Uncertain units</source>
       <translation>Blocs incertains</translation>
     </message>
     <message>
-      <location filename="../core/section_quality.html" />
+      <location filename="../core/report/templates/section_quality.html" />
       <source>Points to surface, median (mm)</source>
       <translation>Points à la surface, médiane (mm)</translation>
     </message>
     <message>
-      <location filename="../core/section_quality.html" />
+      <location filename="../core/report/templates/section_quality.html" />
       <source>Largest overlap</source>
       <translation>Plus grand recouvrement</translation>
     </message>
     <message>
-      <location filename="../core/section_quality.html" />
+      <location filename="../core/report/templates/section_quality.html" />
       <source>Pairs too close</source>
       <translation>Paires trop proches</translation>
     </message>
     <message>
-      <location filename="../core/section_quality.html" />
+      <location filename="../core/report/templates/section_quality.html" />
       <source>Overlap is the share of a unit's volume inside another one; two solid units cannot overlap, nor can their centres come closer than half a height. A gap is a place where a unit is likely missing in the result; the layer gaps shows them.</source>
       <translation>Le recouvrement est la part du volume d'un bloc située dans un autre ; deux blocs pleins ne peuvent se recouvrir, ni leurs centres s'approcher à moins d'une demi-hauteur. Une lacune est un endroit où un bloc manque probablement dans le résultat ; la couche gaps les montre.</translation>
     </message>
     <message>
-      <location filename="../core/section_quality.html" />
+      <location filename="../core/report/templates/section_quality.html" />
       <source>The result was made by a version that did not state the quality of its units.</source>
       <translation>Le résultat vient d'une version qui n'indiquait pas la qualité de ses blocs.</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Summary</source>
       <translation>Résumé</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Units judged</source>
       <translation>Blocs jugés</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Significant displacements</source>
       <translation>Déplacements significatifs</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Lost</source>
       <translation>Perdus</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Relocated</source>
       <translation>Emportés</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>New</source>
       <translation>Nouveaux</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Not seen in the later epoch</source>
       <translation>Non vus à l'époque postérieure</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Displaced by 5 cm or more</source>
       <translation>Déplacés de 5 cm ou plus</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Displaced by 10 cm or more</source>
       <translation>Déplacés de 10 cm ou plus</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Decided by reviewers</source>
       <translation>Décidés par les vérificateurs</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Rejected by reviewers</source>
       <translation>Rejetés par les vérificateurs</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Units known to be missing</source>
       <translation>Blocs que l'on sait manquants</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Completeness</source>
       <translation>Complétude</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Units rejected by reviewers and left out of all figures, maps and tables below: {count}.</source>
       <translation>Blocs rejetés par les vérificateurs et exclus de tous les chiffres, cartes et tableaux ci-dessous : {count}.</translation>
     </message>
     <message>
-      <location filename="../core/section_summary.html" />
+      <location filename="../core/report/templates/section_summary.html" />
       <source>Units that no reviewer has decided on yet: {count}.</source>
       <translation>Blocs sans décision jusqu'ici : {count}.</translation>
     </message>
     <message>
-      <location filename="../core/section_worst.html" />
+      <location filename="../core/report/templates/section_worst.html" />
       <source>Units with the largest displacements</source>
       <translation>Blocs aux plus grands déplacements</translation>
     </message>
     <message>
-      <location filename="../core/section_worst.html" />
+      <location filename="../core/report/templates/section_worst.html" />
       <source>East {e}, north {n}, up {h} cm; rotation {turn}; p {p}</source>
       <translation>Est {e}, nord {n}, haut {h} cm ; rotation {turn} ; p {p}</translation>
     </message>
     <message>
-      <location filename="../core/section_worst.html" />
+      <location filename="../core/report/templates/section_worst.html" />
       <source>Plan and section of {unit}</source>
       <translation>Plan et coupe de {unit}</translation>
     </message>
     <message>
-      <location filename="../core/section_worst.html" />
+      <location filename="../core/report/templates/section_worst.html" />
       <source>Series of {unit}</source>
       <translation>Série de {unit}</translation>
     </message>
     <message>
-      <location filename="../core/section_worst.html" />
+      <location filename="../core/report/templates/section_worst.html" />
       <source>No displacement is significant.</source>
       <translation>Aucun déplacement n'est significatif.</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>control used</source>
       <translation>appui utilisé</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>control not used</source>
       <translation>appui non utilisé</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>arrows: significant horizontal displacements, enlarged {scale} times</source>
       <translation>flèches : déplacements horizontaux significatifs, agrandis {scale} fois</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>3D displacement (cm)</source>
       <translation>Déplacement 3D (cm)</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>all units</source>
       <translation>tous les blocs</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>units</source>
       <translation>blocs</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>plan</source>
       <translation>plan</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>section {azimuth}°</source>
       <translation>coupe {azimuth}°</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>chainage along the axis (m)</source>
       <translation>abscisse le long de l'axe (m)</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
+      <source>Height change</source>
+      <translation>Variation de hauteur</translation>
+    </message>
+    <message>
+      <location filename="../core/report/figures.py" />
+      <source>Horizontal motion</source>
+      <translation>Mouvement horizontal</translation>
+    </message>
+    <message>
+      <location filename="../core/report/figures.py" />
       <source>units ≥ 10 cm (%)</source>
       <translation>blocs ≥ 10 cm (%)</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>easting (m)</source>
       <translation>est (m)</translation>
     </message>
     <message>
-      <location filename="../core/report_figures.py" />
+      <location filename="../core/report/figures.py" />
       <source>northing (m)</source>
       <translation>nord (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/mould_figures.py" />
+      <source>least and most around the leg</source>
+      <translation>minimum et maximum autour de la branche</translation>
+    </message>
+    <message>
+      <location filename="../core/report/mould_figures.py" />
+      <source>mean around the leg</source>
+      <translation>moyenne autour de la branche</translation>
+    </message>
+    <message>
+      <location filename="../core/report/mould_figures.py" />
+      <source>end disc</source>
+      <translation>disque d'extrémité</translation>
+    </message>
+    <message>
+      <location filename="../core/report/mould_figures.py" />
+      <source>share of the leg, from the unit's centre</source>
+      <translation>part de la branche, depuis le centre</translation>
+    </message>
+    <message>
+      <location filename="../core/report/mould_figures.py" />
+      <source>outside the cone (mm)</source>
+      <translation>hors du cône (mm)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/mould_figures.py" />
+      <source>around the leg (degrees)</source>
+      <translation>autour de la branche (degrés)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>no damage</source>
+      <translation>aucun dommage</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>initiation of damage</source>
+      <translation>début de dommage</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>Iribarren's damage</source>
+      <translation>dommage d'Iribarren</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>initiation of destruction</source>
+      <translation>début de destruction</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>within</source>
+      <translation>dans</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>outside</source>
+      <translation>hors</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>cannot be told</source>
+      <translation>indécis</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>chainage {along} m, axis at {east} / {north}</source>
+      <translation>abscisse {along} m, axe à {east} / {north}</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>height (m)</source>
+      <translation>hauteur (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>offset from the axis, left positive (m)</source>
+      <translation>distance à l'axe, gauche positive (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>crest height (m)</source>
+      <translation>hauteur de crête (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>within the tolerance</source>
+      <translation>dans la tolérance</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>outside the tolerance</source>
+      <translation>hors de la tolérance</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>not judged</source>
+      <translation>non jugé</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>planned place without a unit</source>
+      <translation>place prévue sans bloc</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>unit without a planned place</source>
+      <translation>bloc sans place prévue</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>surface of the points</source>
+      <translation>surface des points</translation>
+    </message>
+    <message>
+      <location filename="../core/report/structure_figures.py" />
+      <source>design</source>
+      <translation>projet</translation>
     </message>
   </context>
 </TS>

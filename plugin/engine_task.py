@@ -7,8 +7,8 @@ from typing import Any
 
 from qgis.core import QgsTask
 
-from .engine import EngineCancelled, EngineError, Listener, run_engine
-from .translation import tr
+from ..algorithms.support.engine import EngineCancelled, EngineError, Listener, run_engine
+from ..algorithms.support.translation import tr
 
 
 class EngineTask(QgsTask):

@@ -11,31 +11,38 @@ import numpy as np
 from numpy.typing import NDArray
 from qgis.core import QgsPointXY
 from qgis.gui import QgsMapTool
-from qgis.PyQt.QtWidgets import QFileDialog, QMenu
+from qgis.PyQt.QtWidgets import QFileDialog, QMenu, QMessageBox
 
-from ..core.unit_edits import (
-    NewPose,
+from ..algorithms.support.lengths import length_format
+from ..algorithms.support.translation import tr
+from ..core.model.unit_types import LEG_LENGTH_RATIO
+from ..core.review.corrections import (
     add_placeholder,
     delete_unit,
+    last_edit_of,
     merge_units,
-    pose_from_features,
-    read_edits,
     set_pose,
     split_unit,
     store_picks,
     undo_edit,
 )
-from ..core.unit_types import LEG_LENGTH_RATIO
-from .review_map import ClickTool, ReviewMap
+from ..core.review.point_index import kept_survey
+from ..core.review.pose_consequences import NewPose
+from ..core.review.pose_from_picks import pose_from_features
+from .review_map import ReviewMap
 from .review_panels import DecisionPanel, StatusLine
+from .review_pick import ClickTool
 from .review_tabs import UnitTabs
-from .review_text import edit_label, length_format
-from .translation import tr
+from .review_text import edit_label
 
 FloatArray = NDArray[np.float64]
 
 PICK_SD_SPACINGS = 1.0
 """Standard deviation of one picked coordinate in point spacings: a pick lands on the nearest point."""
+
+MISFIT_SDS, LEAST_MISFIT_HEIGHTS, MOST_MISFIT_HEIGHTS = 2.0, 0.02, 0.05
+"""Picks that miss the unit's shape by more than so many of their standard deviations are asked about; between these shares of the
+unit's height."""
 
 
 @dataclass
@@ -103,7 +110,7 @@ class ReviewCorrections:
             (tr("Merge the two selected units"), self.merge),
             (tr("Split at the later epoch: two units taken for one"), self.split),
             (tr("Delete: not a unit"), self.delete),
-            (tr("Take back the last correction"), self.undo),
+            (tr("Take back your last correction"), self.undo),
             (tr("Read the points around the units…"), self.ask_index),
         ):
             action = menu.addAction(text)
@@ -191,7 +198,7 @@ class ReviewCorrections:
         if self.store.index is None:
             return flat
         height = nearest.height or 2.0
-        points = self.store.index.read(self._epoch(picking.epoch), flat, 2 * height)
+        points = self.store.points_around(self._epoch(picking.epoch), flat, 2 * height)
         close = points[np.hypot(points[:, 0] - e, points[:, 1] - n) < 0.04 * height]
         if len(close) > 0:
             return close[np.argmax(close[:, 2])]
@@ -217,14 +224,39 @@ class ReviewCorrections:
             return
         centre, rotation, names, misfit = pose_from_features(points, shape.radius, shape.gradient, shape.rotation)
         sd = self._pick_sd(epoch, shape.centre)
+        size = self.store.row(unit).height or 2.0
+        worst = min(max(MISFIT_SDS * sd, LEAST_MISFIT_HEIGHTS * size), MOST_MISFIT_HEIGHTS * size)
+        if misfit > worst and not self._wanted_all_the_same(unit, misfit, worst):
+            self._status.say(tr("Nothing was stored: pick the three joints again."))
+            return
+        # picks that do not fit the unit's shape say how far they may be off
+        sd = max(sd, misfit)
         # three picks of equal precision: the mean holds the centre, their distance from it the rotation
         turn = math.degrees(sd * math.sqrt(3) / float(np.linalg.norm(points[0] - centre)))
         height = self.store.row(unit).height or shape.leg_length / LEG_LENGTH_RATIO
-        pose = NewPose(centre, rotation, shape.radius, shape.gradient, height, np.full(3, sd), turn)
+        pose = NewPose(
+            centre=centre,
+            rotation=rotation,
+            radius=shape.radius,
+            gradient=shape.gradient,
+            height=height,
+            sd=np.full(3, sd),
+            sd_rotation_deg=turn,
+        )
         set_pose(self.store.path, unit, epoch, pose, editor=self._editor, comment=tr("pinned by three joints"))
         store_picks(self.store.path, unit, epoch, dict(zip(names, points, strict=True)), editor=self._editor)
         self.reload()
         self._status.say(tr("{unit} pinned; the picks fit within {length}.").format(unit=unit, length=length_format().text(misfit)))
+
+    def _wanted_all_the_same(self, unit: str, misfit: float, worst: float) -> bool:
+        lengths = length_format()
+        question = tr(
+            "The three points do not fit the shape of {unit}: they are {misfit} off, where {worst} would be usual. Were they joints of "
+            "this unit? Store the pose all the same?"
+        ).format(unit=unit, misfit=lengths.text(misfit), worst=lengths.text(worst))
+        buttons = QMessageBox.StandardButton.Yes | QMessageBox.StandardButton.No
+        answer = QMessageBox.question(self._tabs, tr("Pin by three joints"), question, buttons, QMessageBox.StandardButton.No)
+        return answer == QMessageBox.StandardButton.Yes
 
     def _pick(self, epoch: str, points: list[FloatArray]) -> None:
         unit, place = self.store.current, points[0]
@@ -235,16 +267,18 @@ class ReviewCorrections:
         apart = {name: float(np.linalg.norm(feature - place)) for name, feature in features.items()}
         name = min(apart, key=lambda feature: apart[feature])
         store_picks(self.store.path, unit, epoch, {name: place}, editor=self._editor)
+        self.reload()
         self._tabs.show_unit()
         self._status.say(tr("{feature} picked, {length} from the fit.").format(feature=name, length=length_format().text(apart[name])))
 
     def _placeholder(self, epoch: str, points: list[FloatArray]) -> None:
         name = add_placeholder(self.store.path, epoch, points[0], editor=self._editor, comment=self._comment)
+        self.reload()
         self._status.say(tr("Placeholder {name} stored; it counts as a unit not found.").format(name=name))
 
     def _pick_sd(self, epoch: str, place: FloatArray) -> float:
         """Standard deviation of a picked coordinate, metres: the spacing of the points around the unit."""
-        points = self.store.index.read(epoch, place, 1.0) if self.store.index is not None else np.empty((0, 3))
+        points = self.store.points_around(epoch, place, 1.0)
         # a surface of the cube's size holds n points: spacing = edge / sqrt(n)
         return PICK_SD_SPACINGS * 2.0 / math.sqrt(max(len(points), 1))
 
@@ -276,18 +310,19 @@ class ReviewCorrections:
             self._edited(None, tr("{unit} was deleted; take it back from the correction menu.").format(unit=unit))
 
     def undo(self) -> None:
-        """Take back the last correction that stands."""
-        standing = [edit for edit in read_edits(self.store.path) if not edit.undone]
-        if not standing:
-            self._status.say(tr("There is no correction to take back."))
+        """Take back one's own last correction that stands."""
+        last = last_edit_of(self.store.path, self._editor)
+        if last is None:
+            self._status.say(tr("There is no correction of yours to take back."))
             return
-        last = standing[-1]
         if self._status.attempt(lambda: undo_edit(self.store.path, last.number, editor=self._editor)):
             self._edited(last.unit_id, tr("Taken back: {kind} {unit}.").format(kind=edit_label(last.kind), unit=last.unit_id))
 
     def ask_index(self) -> None:
-        """Ask for the survey's description and read the points around the units with the engine."""
-        name, _ = QFileDialog.getOpenFileName(self._tabs, tr("Survey description"), str(self.store.path.parent), tr("Survey (*.toml)"))
+        """Read the points around the units with the engine, from the survey kept beside the result; else ask where it is."""
+        name = str(kept_survey(self.store.path))
+        if not kept_survey(self.store.path).is_file():
+            name, _ = QFileDialog.getOpenFileName(self._tabs, tr("Survey description"), str(self.store.path.parent), tr("Survey (*.toml)"))
         if name:
             self._start_engine(tr("Reading points around units"), ["unit-points", name, str(self.store.path)], tr("Points read."))
 

@@ -8,13 +8,13 @@ import math
 import numpy as np
 from qgis.PyQt.QtGui import QPalette
 
-from ..core.displacement_rows import CheckComparison, UnitDetails, UnitRow, check_comparisons
-from ..core.outline import VOLUME_RATIO
-from ..core.result_tables import Row
-from ..core.unit_edits import read_edits, read_picks
+from ..algorithms.support.lengths import length_format
+from ..algorithms.support.translation import tr
+from ..core.results.geopackage_reader import Row
+from ..core.results.unit_rows import CheckComparison, UnitDetails, UnitRow, check_comparisons
+from ..core.review.corrections import read_edits, read_picks
 from .review_store import ReviewStore
-from .review_text import action_label, decision_colour, decision_label, edit_label, kind_label, length_format
-from .translation import tr
+from .review_text import action_label, decision_colour, decision_label, edit_label, kind_label
 
 LEAST_P = 0.0001
 """Smallest p-value written as a number."""
@@ -45,11 +45,13 @@ def history_html(store: ReviewStore, unit: str) -> str:
     entries = []
     for event in reversed(store.history(unit)):
         comment = f" – {event.comment}" if event.comment else ""
+        if event.action == "decide" and event.basis is not None and event.basis.length is not None:
+            comment = f" ({length_format().text(event.basis.length)}){comment}"
         deed = f"{action_label(event.action)} «{decision_label(event.decision)}», {event.pair}{comment}"
         entries.append(_entry(event.at, event.reviewer, deed))
     for edit in read_edits(store.path):
         if edit.unit_id == unit:
-            gone = f" ({tr('taken back')})" if edit.undone else ""
+            gone = f" ({tr('taken back by {who}').format(who=edit.undone_by or edit.editor)})" if edit.undone else ""
             entries.append(_entry(edit.edited_at, edit.editor, f"{edit_label(edit.kind)} {edit.epoch}{gone}"))
     return f"<ul>{''.join(entries)}</ul>" if entries else f"<p>{html.escape(tr('Nobody has decided on this unit yet.'))}</p>"
 
@@ -82,10 +84,9 @@ def _displacement_lines(row: UnitRow) -> list[str]:
         return [_line(tr("Displacement"), tr("none: one of the two positions is not known"))]
     lengths = length_format()
     height = row.height or math.nan
-    diameter = VOLUME_RATIO ** (1 / 3) * height
     lines = [
         _line(tr("3D displacement"), f"{lengths.text(row.d_3d)} ± {lengths.number(row.sd_3d)}"),
-        _line(tr("in heights H, in Dn"), f"{row.d_3d / height:.3f} H, {row.d_3d / diameter:.3f} Dn"),
+        _line(tr("in heights H, in Dn"), f"{row.d_3d / height:.3f} H, {row.d_over_dn or math.nan:.3f} Dn"),
     ]
     for name, part, sd in zip((tr("Easting"), tr("Northing"), tr("Height")), row.vector, row.sd, strict=True):
         lines.append(_line(name, f"{part * lengths.factor:+.{lengths.decimals}f} {lengths.suffix} ± {lengths.number(sd)}"))
@@ -108,7 +109,14 @@ def _quality_lines(fit: Row) -> list[str]:
         (tr("Points"), "n_points", "{}"),
         (tr("Legs seen"), "legs_visible", "{}"),
     )
-    return [_line(name, form.format(fit[key])) for name, key, form in measures if fit.get(key) is not None]
+    lines = [_line(name, form.format(fit[key])) for name, key, form in measures if fit.get(key) is not None]
+    broken = [k for k in range(1, 5) if fit.get(f"leg{k}") == "broken"]
+    if broken:
+        missing = length_format().text(fit.get("leg_missing"))
+        words = tr("{legs}; {missing} missing, probability {share:.0%}")
+        share = fit.get("leg_probability") or 0.0
+        lines.append(_line(tr("Broken legs"), words.format(legs=", ".join(map(str, broken)), missing=missing, share=share)))
+    return lines
 
 
 def _check_lines(checks: list[CheckComparison]) -> list[str]:

@@ -1,8 +1,11 @@
-"""The map side of a review: layers of the pair, selection in step, zoom and flash, clicks for corrections."""
+"""The map side of a review: layers of the pair, selection in step, zoom and flash, the unit under a click."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
+from pathlib import Path
+from uuid import uuid4
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,26 +16,65 @@ from qgis.core import (
     QgsExpression,
     QgsFeatureRequest,
     QgsGeometry,
-    QgsLayerTreeGroup,
     QgsMarkerSymbol,
     QgsPointXY,
     QgsProject,
     QgsRectangle,
     QgsSingleSymbolRenderer,
     QgsVectorLayer,
+    QgsVectorLayerSimpleLabeling,
 )
-from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapTool
-from qgis.PyQt.QtCore import QObject, Qt, pyqtSignal
+from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QColor
 
-from .layers import apply_style
+from ..algorithms.support.layers import apply_style
+from ..algorithms.support.lengths import write_project_lengths
+from ..algorithms.support.translation import tr
+from ..core.results.geopackage_reader import table_names
 from .review_store import ReviewStore
-from .translation import tr
+from .review_text import datum_label
 
 FloatArray = NDArray[np.float64]
 
 ZOOM_HEIGHTS = 12.0
 """Width of the map after zooming to a unit, in heights of the unit."""
+
+
+REACH_PIXELS = 8
+"""How far from an arrow or a centre a click may be."""
+PAPER_PER_METRE, LONGEST_ON_PAPER = 0.2, 0.03
+"""Length of an arrow on paper for a metre of displacement, and the longest, metres: as the shipped styles draw it."""
+LATEST = '(@map_start_time is not null or "epoch_until" is null)'
+"""Condition of the shipped styles that leaves earlier epochs out."""
+TWINS = ("units", "unit_outlines", "displacements", "displacements_other", "gaps", "unit_edits", "manual_picks")
+"""Layers of a result that a review shows in its own way."""
+GROUP_PROPERTY = "tetratrack/review"
+"""Custom property by which the groups of a review are known again, in saved projects as well."""
+
+
+def remove_groups(project: QgsProject, token: str = "") -> None:  # nosec B107 - a mark of a group, no secret
+    """Remove the group of one review from a project, with its layers; without a token those of all reviews."""
+    # looked up each time: the user may have moved or removed it, and a group kept from before would be gone in C++ alone
+    for group in project.layerTreeRoot().findGroups(True):
+        found = group.customProperty(GROUP_PROPERTY)
+        if found is None or (token and found != token):
+            continue
+        project.removeMapLayers([node.layerId() for node in group.findLayers()])
+        group.parent().removeChildNode(group)
+
+
+def show_every_epoch(layer: QgsVectorLayer) -> None:
+    """Draw whatever rows a layer has: which epochs these are is the review's choice, not the latest one or the time of the map."""
+    renderer = layer.renderer()
+    if renderer.type() == "RuleRenderer":
+        for rule in renderer.rootRule().descendants():
+            rule.setFilterExpression(rule.filterExpression().replace(f" and {LATEST}", ""))
+    if layer.labeling() is not None:
+        settings = layer.labeling().settings()
+        settings.fieldName = settings.fieldName.replace(LATEST, "true")
+        layer.setLabeling(QgsVectorLayerSimpleLabeling(settings))
+    layer.temporalProperties().setIsActive(False)
 
 
 def quoted(values: Iterable[str]) -> str:
@@ -41,37 +83,85 @@ def quoted(values: Iterable[str]) -> str:
 
 
 class ReviewMap(QObject):
-    """Layers of one store on one canvas, selecting what the store selects and the other way round."""
+    """Layers of one store on one canvas, selecting what the store selects and the other way round.
+
+    ``vanished`` tells that the user took layers out of the project, or the project away; nothing works on them from then on.
+    """
+
+    vanished = pyqtSignal()
 
     def __init__(self, store: ReviewStore, canvas: QgsMapCanvas, project: QgsProject, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.store, self.canvas, self.project = store, canvas, project
-        self._group: QgsLayerTreeGroup | None = None
+        self._token, self._left = uuid4().hex, False
+        self._hidden: list[str] = []
+        self.filtered = False
         self._following = False
         self._shown: tuple[object, ...] | None = None
         self._fids: dict[str, list[int]] = {}
         self._units: dict[int, str] = {}
         self.units = self._open("units", tr("Units reviewed"))
+        self.outlines = self._open("unit_outlines", tr("Outlines of the units"))
         self.displacements = self._open("displacements", tr("Displacements reviewed"))
         self.other = self._open("displacements_other", tr("Displacements reviewed, other pair or datum"))
         self.rejected = self._open("units", tr("Rejected units (excluded)"))
-        self.layers = [layer for layer in (self.rejected, self.displacements, self.other, self.units) if layer.isValid()]
+        self.gaps = self._open("gaps", tr("Gaps"))
+        own = (self.rejected, self.displacements, self.other, self.gaps, self.units, self.outlines)
+        self.layers = [layer for layer in own if layer.isValid()]
+        # tables of corrections come into the file with the first one
+        self.added: dict[str, QgsVectorLayer] = {}
+        self._open_added()
         self._style()
         self._add()
         self.units.selectionChanged.connect(self._tell_store)
+        self.project.aboutToBeCleared.connect(self._project_leaves)
+        self.project.layersWillBeRemoved.connect(self._layers_leave)
 
     def remove(self) -> None:
         """Take the layers out of the project again."""
-        ids = [layer.id() for layer in self.layers]
-        self.project.removeMapLayers([layer_id for layer_id in ids if self.project.mapLayer(layer_id) is not None])
-        if self._group is not None and self._group.parent() is not None:
-            self._group.parent().removeChildNode(self._group)
-        self._group = None
+        self.project.aboutToBeCleared.disconnect(self._project_leaves)
+        self.project.layersWillBeRemoved.disconnect(self._layers_leave)
+        if self._left:
+            return
+        remove_groups(self.project, self._token)
+        self._show_again()
+
+    def _hide_twins(self) -> None:
+        """Hide layers of the same result that were in the map before: they show other pairs and datums than the review does."""
+        own = {layer.id() for layer in self.layers}
+        for node in self.project.layerTreeRoot().findLayers():
+            layer = node.layer()
+            if layer is None or layer.id() in own or not node.itemVisibilityChecked():
+                continue
+            path, _, name = layer.source().partition("|layername=")
+            if name.partition("|")[0] in TWINS and Path(path) == self.store.path:
+                node.setItemVisibilityChecked(False)
+                self._hidden.append(layer.id())
+
+    def _show_again(self) -> None:
+        root = self.project.layerTreeRoot()
+        for node in filter(None, (root.findLayer(layer_id) for layer_id in self._hidden)):
+            node.setItemVisibilityChecked(True)
+
+    def _project_leaves(self) -> None:
+        # the project is about to delete everything itself
+        self._left = True
+        self.vanished.emit()
+
+    def _layers_leave(self, ids: list[str]) -> None:
+        if not {layer.id() for layer in self.layers}.isdisjoint(ids):
+            # the project is in the middle of removing some; the others go afterwards
+            self._left = True
+            QTimer.singleShot(0, partial(remove_groups, self.project, self._token))
+            self.vanished.emit()
 
     def show_pair(self) -> None:
         """Show the store's epoch pair and datum, rejected units apart."""
         pair, rejected = self.store.pair, sorted(self.store.rejected)
-        key = (pair, self.store.datum, tuple(rejected), len(self.store.rows))
+        # all units pass most of the time; a list of all names would only slow the layers down
+        narrowed = self.filtered and len(self.store.order) < len(self.store.rows)
+        passing = sorted(self.store.rows[k].unit_id for k in self.store.order) if narrowed else []
+        key = (pair, self.store.datum, tuple(rejected), len(self.store.rows), narrowed, tuple(passing))
         if key == self._shown:
             self.follow()
             return
@@ -79,6 +169,8 @@ class ReviewMap(QObject):
         # a layer drops its selection with its filter; the store must not take that for the user's wish
         self._following = True
         keep = f' AND "unit_id" NOT IN ({quoted(rejected)})' if rejected else ""
+        if narrowed:
+            keep += f' AND "unit_id" IN ({quoted(passing) or "NULL"})'
         epoch = f'"epoch" = {QgsExpression.quotedString(pair.epoch_from)}'
         # units that are new have their first point in the later epoch
         fresh = sorted(row.unit_id for row in self.store.rows if row.kind == "new")
@@ -89,10 +181,24 @@ class ReviewMap(QObject):
         self.rejected.setSubsetString(
             f'"epoch" = {QgsExpression.quotedString(pair.epoch_from)} AND "unit_id" IN ({quoted(rejected) or "NULL"})'
         )
+        # results of earlier versions have no outlines
+        if self.outlines.isValid():
+            self.outlines.setSubsetString(f'"epoch" = {QgsExpression.quotedString(pair.epoch_to)}{keep}')
+        if self.gaps.isValid():
+            self.gaps.setSubsetString(f'"epoch" = {QgsExpression.quotedString(pair.epoch_to)}')
+        both = quoted((pair.epoch_from, pair.epoch_to))
+        for layer in self.added.values():
+            layer.setSubsetString(f'"epoch" IN ({both})')
         ends = {"epoch_from": pair.epoch_from, "epoch_to": pair.epoch_to, "datum": self.store.datum, "feature": "centre"}
         condition = " AND ".join(f'"{name}" = {QgsExpression.quotedString(value)}' for name, value in ends.items())
+        reference = datum_label(self.store.datum)
         for layer in (self.displacements, self.other):
             layer.setSubsetString(condition + keep)
+            # one arrow a unit, of one datum, and the legend says which
+            layer.setName(tr("Displacements: {datum}").format(datum=reference))
+            node = self.project.layerTreeRoot().findLayer(layer.id())
+            if node is not None:
+                node.setItemVisibilityChecked(next(layer.getFeatures(QgsFeatureRequest().setLimit(1)), None) is not None)
         for layer in self.layers:
             layer.triggerRepaint()
         request = QgsFeatureRequest().setFlags(Qgis.FeatureRequestFlag.NoGeometry).setSubsetOfAttributes(["unit_id"], self.units.fields())
@@ -105,6 +211,10 @@ class ReviewMap(QObject):
 
     def reload(self) -> None:
         """Read the layers again after a correction changed the file."""
+        group = next(g for g in self.project.layerTreeRoot().findGroups(True) if g.customProperty(GROUP_PROPERTY) == self._token)
+        for layer in self._open_added():
+            self.project.addMapLayer(layer, False)
+            group.insertLayer(0, layer)
         for layer in self.layers:
             layer.dataProvider().reloadData()
         self._shown = None
@@ -148,6 +258,52 @@ class ReviewMap(QObject):
         extent.scale(1.1)
         self.canvas.setExtent(extent)
         self.canvas.refresh()
+
+    def unit_at(self, point: QgsPointXY) -> str | None:
+        """The unit that a click on the canvas means: the arrow under it, else the outline, else the nearest centre within reach."""
+        place = self.to_survey(point)
+        if place is None:
+            return None
+        click = np.array([place.x(), place.y()])
+        # by a second place as far from the click as the reach is on the canvas, whose CRS may be another one
+        aside = self.to_survey(QgsPointXY(point.x() + REACH_PIXELS * self.canvas.mapUnitsPerPixel(), point.y()))
+        reach = float(np.hypot(*(np.array([aside.x(), aside.y()]) - click))) if aside is not None else 0.0
+        return self._arrow_at(click, reach) or self._outline_at(place) or self._centre_at(click, reach)
+
+    def _arrow_at(self, click: FloatArray, reach: float) -> str | None:
+        """Unit whose arrow is drawn under a click: arrows have a length on paper, which the map's scale turns into one on the ground."""
+        rejected = self.store.rejected
+        rows = [row for row in self.store.rows if row.vector is not None and row.place is not None and row.unit_id not in rejected]
+        if not rows:
+            return None
+        starts = np.array([row.place[:2] for row in rows])
+        vectors = np.array([row.vector[:2] for row in rows])
+        lengths = np.maximum(np.hypot(*vectors.T), 1e-6)
+        arrows = vectors * (np.minimum(PAPER_PER_METRE, LONGEST_ON_PAPER / lengths) * self.canvas.scale())[:, None]
+        along = np.clip(((click - starts) * arrows).sum(axis=1) / np.maximum((arrows**2).sum(axis=1), 1e-12), 0, 1)
+        apart = np.hypot(*(starts + along[:, None] * arrows - click).T)
+        nearest = int(np.argmin(apart))
+        return rows[nearest].unit_id if apart[nearest] <= reach else None
+
+    def _outline_at(self, place: QgsPointXY) -> str | None:
+        """Unit inside whose outline a place lies, the highest of several."""
+        if not self.outlines.isValid():
+            return None
+        request = QgsFeatureRequest().setFilterRect(QgsRectangle(place, place).buffered(1e-6))
+        point = QgsGeometry.fromPointXY(place)
+        found = [feature for feature in self.outlines.getFeatures(request) if feature.geometry().contains(point)]
+        names = [str(feature["unit_id"]) for feature in found]
+        rows = [row for name in names if (row := self.store.row(name)) is not None and row.place is not None]
+        return max(rows, key=lambda row: row.place[2]).unit_id if rows else None
+
+    def _centre_at(self, click: FloatArray, reach: float) -> str | None:
+        """Unit whose centre lies nearest to a click, if within reach or half the unit's height."""
+        rows = [row for row in self.store.rows if row.place is not None]
+        apart = [float(np.hypot(*(row.place[:2] - click))) for row in rows]
+        if not rows:
+            return None
+        nearest = int(np.argmin(apart))
+        return rows[nearest].unit_id if apart[nearest] <= max(reach, 0.5 * (rows[nearest].height or 0.0)) else None
 
     def to_survey(self, point: QgsPointXY) -> QgsPointXY | None:
         """A place on the canvas in the survey's CRS; None where it cannot be transformed."""
@@ -200,38 +356,42 @@ class ReviewMap(QObject):
         options.forceReadOnly = True
         return QgsVectorLayer(f"{self.store.path.as_posix()}|layername={name}", title, "ogr", options)
 
+    def _open_added(self) -> list[QgsVectorLayer]:
+        """Open the layers that corrections have added to the file; those that are new."""
+        new = []
+        for name, title in (("unit_edits", tr("Placeholders and corrections")), ("manual_picks", tr("Points picked by hand"))):
+            if name not in self.added and name in table_names(self.store.path):
+                layer = self._open(name, title)
+                if layer.isValid():
+                    apply_style(layer, name)
+                    self.added[name] = layer
+                    self.layers.insert(0, layer)
+                    new.append(layer)
+        return new
+
     def _style(self) -> None:
-        apply_style(self.units, "units")
-        apply_style(self.displacements, "displacements")
-        apply_style(self.other, "displacements")
+        write_project_lengths(self.project)
+        for layer, name in (
+            (self.units, "units"),
+            (self.outlines, "unit_outlines"),
+            (self.displacements, "displacements"),
+            (self.other, "displacements"),
+            (self.gaps, "gaps"),
+        ):
+            if layer.isValid():
+                apply_style(layer, name)
+                show_every_epoch(layer)
         symbol = QgsMarkerSymbol.createSimple({"name": "cross2", "size": "3.2", "outline_width": "0.5"})
         symbol.setColor(QColor("#7F8C8D"))
         symbol.symbolLayer(0).setStrokeColor(QColor("#7F8C8D"))
         self.rejected.setRenderer(QgsSingleSymbolRenderer(symbol))
 
     def _add(self) -> None:
-        self._group = self.project.layerTreeRoot().insertGroup(0, tr("Displacement review: {name}").format(name=self.store.path.stem))
+        # a project saved while a review was open brings that review's group with it
+        remove_groups(self.project)
+        group = self.project.layerTreeRoot().insertGroup(0, tr("Displacement review: {name}").format(name=self.store.path.stem))
+        group.setCustomProperty(GROUP_PROPERTY, self._token)
         for layer in self.layers:
             self.project.addMapLayer(layer, False)
-            self._group.addLayer(layer)
-
-
-class ClickTool(QgsMapTool):
-    """One click on the map, for corrections; ``clicked`` carries the place in canvas coordinates, Escape ends the tool."""
-
-    clicked = pyqtSignal(QgsPointXY)
-    left = pyqtSignal()
-
-    def __init__(self, canvas: QgsMapCanvas) -> None:
-        super().__init__(canvas)
-        self.setCursor(Qt.CursorShape.CrossCursor)
-
-    def canvasReleaseEvent(self, event: QgsMapMouseEvent) -> None:
-        """Tell where the user clicked."""
-        if event.button() == Qt.MouseButton.LeftButton:
-            self.clicked.emit(event.mapPoint())
-
-    def keyReleaseEvent(self, event: object) -> None:
-        """Leave the tool with Escape."""
-        if event.key() == Qt.Key.Key_Escape:
-            self.left.emit()
+            group.addLayer(layer).setExpanded(layer in (self.displacements, self.outlines))
+        self._hide_twins()

@@ -1,15 +1,18 @@
-"""Parts of the review dock that the reviewer acts on: start page, comparison, filters, decisions, and the line that answers."""
+"""Parts of the review dock that the reviewer acts on: comparison, filters, decisions, and the line that answers."""
 
 from __future__ import annotations
 
 import getpass
+import html
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsApplication, QgsSettings
+from qgis.core import QgsSettings
 from qgis.gui import QgsCheckableComboBox, QgsFilterLineEdit
-from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtCore import QEventLoop, Qt, QUrl, pyqtSignal
 from qgis.PyQt.QtWidgets import (
+    QApplication,
     QBoxLayout,
     QCheckBox,
     QComboBox,
@@ -24,15 +27,21 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ..core.errors import TetratrackError
-from ..core.schema import CLASSES
+from ..algorithms.support.lengths import length_format
+from ..algorithms.support.translation import tr
+from ..core.common.errors import TetratrackError
+from ..core.results.result_access import meanwhile
+from ..core.results.schema import CLASSES
 from .review_store import ReviewStore
 from .review_text import DECISION_COLOURS, datum_label, decision_colour, kind_label
-from .translation import tr
 
 REVIEWER_SETTING = "tetratrack/reviewer"
 SPACING = 3
 """Pixels between the parts of the dock."""
+DRAW_MILLISECONDS = 20
+"""Longest time for drawing at once while a file is read."""
+MOST_METRES, STEP_METRES = 10.0, 0.01
+"""Largest value and step of the least displacement shown."""
 
 
 class StatusLine:
@@ -40,49 +49,50 @@ class StatusLine:
 
     def __init__(self, *labels: QLabel) -> None:
         self._labels = labels
+        self._said = ""
+        self.busy = False
+        """Something is being read or written, while the window draws itself."""
 
-    def say(self, message: str, *, bad: bool = False) -> None:
-        """Show a message, a bad one in the colour of what is rejected."""
+    def say(self, message: str, *, bad: bool = False, link: Path | None = None) -> None:
+        """Show a message, a bad one in the colour of what is rejected, and a link that opens a file."""
+        self._said = message
         for label in self._labels:
             # a label's own palette follows its style sheet
             colour = decision_colour("rejected", label.parentWidget().palette())
             label.setStyleSheet(f"color: {colour.name()};" if bad else "")
-            label.setText(message)
+            if link is None:
+                label.setTextFormat(Qt.TextFormat.PlainText)
+                label.setText(message)
+            else:
+                label.setTextFormat(Qt.TextFormat.RichText)
+                address = QUrl.fromLocalFile(str(link)).toString()
+                label.setText(f'{html.escape(message)} <a href="{html.escape(address)}">{html.escape(tr("Open"))}</a>')
 
     def text(self) -> str:
         """What was said last."""
-        return self._labels[0].text()
+        return self._said
 
     def attempt(self, act: Callable[[], Any], *, quiet: bool = False) -> bool:
-        """Do something that may fail for a reason the user can act on, and say the reason; whether it was done."""
+        """Do something that may fail for a reason the user can act on, and say the reason; whether it was done.
+
+        Where that takes long, or another program holds the file, the window goes on drawing itself; it takes no input meanwhile.
+        """
+        before, self.busy = self.busy, True
         try:
-            act()
+            with meanwhile(draw):
+                act()
         except TetratrackError as error:
             if not quiet:
                 self.say(str(error), bad=True)
             return False
+        finally:
+            self.busy = before
         return True
 
 
-class StartPage(QWidget):
-    """What the dock shows while no result is open."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        text = QLabel(tr("Open the result.gpkg of a survey with two epochs or more to review its displacements."), self)
-        text.setWordWrap(True)
-        self.button = QToolButton(self)
-        self.button.setText(tr("Open result…"))
-        self.button.setIcon(QgsApplication.getThemeIcon("/mActionFileOpen.svg"))
-        self.button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.status = QLabel(self)
-        self.status.setWordWrap(True)
-        layout = QVBoxLayout(self)
-        layout.addStretch(1)
-        layout.addWidget(text)
-        layout.addWidget(self.button)
-        layout.addWidget(self.status)
-        layout.addStretch(2)
+def draw() -> None:
+    """Let the window draw itself."""
+    QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents, DRAW_MILLISECONDS)
 
 
 class ComparisonChoice(QWidget):
@@ -111,6 +121,7 @@ class ComparisonChoice(QWidget):
         self.pair.clear()
         for pair in store.pairs:
             self.pair.addItem(str(pair), pair)
+        self.pair.setCurrentIndex(store.pairs.index(store.pair))
         self._fill_datums()
 
     def _fill_datums(self) -> None:
@@ -120,8 +131,12 @@ class ComparisonChoice(QWidget):
         self.datum.setCurrentIndex(self.datum.findData(self._store.datum))
 
     def _choose_pair(self, index: int) -> None:
-        if self._status.attempt(lambda: self._store.set_pair(self._store.pairs[index])):
+        def compare() -> None:
+            self._store.set_pair(self._store.pairs[index])
             self._fill_datums()
+
+        if not self._status.attempt(compare):
+            self.pair.setCurrentIndex(self._store.pairs.index(self._store.pair))
 
     def _choose_datum(self, index: int) -> None:
         self._status.attempt(lambda: self._store.set_datum(self.datum.itemData(index)))
@@ -146,10 +161,9 @@ class FilterPanel(QWidget):
         for kind in (*CLASSES, "unseen"):
             self.kinds.addItemWithCheckState(kind_label(kind), Qt.CheckState.Unchecked, kind)
         self.threshold = QDoubleSpinBox(self)
-        self.threshold.setRange(0, 1000)
-        self.threshold.setDecimals(1)
         self.threshold.setPrefix("≥ ")
-        self.threshold.setSuffix(" cm")
+        self._lengths = length_format()
+        self.show_lengths()
         self.threshold.setToolTip(tr("Least 3D displacement shown; lost, new and relocated units are always shown"))
         self.area = QToolButton(self)
         self.area.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
@@ -158,14 +172,31 @@ class FilterPanel(QWidget):
         self.area.setText(tr("Everywhere"))
         self.area.setMenu(self._area_menu())
         self.undecided = QCheckBox(tr("Undecided only"), self)
+        self.on_map = QCheckBox(tr("On the map too"), self)
+        self.on_map.setToolTip(tr("The map shows only the units that the list shows"))
         self.text = QgsFilterLineEdit(self)
         self.text.setPlaceholderText(tr("Unit…"))
         self.text.setShowSearchIcon(True)
         self._lay_out()
         self.kinds.checkedItemsChanged.connect(lambda items: self.changed.emit({"kinds": frozenset(self.kinds.checkedItemsData())}))
-        self.threshold.valueChanged.connect(lambda value: self.changed.emit({"threshold": value / 100}))
+        self.threshold.valueChanged.connect(lambda value: self.changed.emit({"threshold": value / self._lengths.factor}))
         self.undecided.toggled.connect(lambda checked: self.changed.emit({"undecided": checked}))
         self.text.textChanged.connect(lambda text: self.changed.emit({"text": text.strip()}))
+
+    def show_lengths(self) -> None:
+        """State the least displacement in the project's unit of lengths."""
+        metres, self._lengths = self.least(), length_format()
+        self.threshold.blockSignals(True)
+        self.threshold.setSuffix(f" {self._lengths.suffix}")
+        self.threshold.setDecimals(self._lengths.decimals)
+        self.threshold.setRange(0, MOST_METRES * self._lengths.factor)
+        self.threshold.setSingleStep(STEP_METRES * self._lengths.factor)
+        self.threshold.setValue(metres * self._lengths.factor)
+        self.threshold.blockSignals(False)
+
+    def least(self) -> float:
+        """Least displacement shown, metres."""
+        return self.threshold.value() / self._lengths.factor
 
     def clear(self) -> None:
         """Show all units again."""
@@ -194,6 +225,7 @@ class FilterPanel(QWidget):
         second.addWidget(self.text, 1)
         second.addWidget(self.area)
         second.addWidget(self.undecided)
+        second.addWidget(self.on_map)
         rows.addLayout(first)
         rows.addLayout(second)
 

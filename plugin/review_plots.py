@@ -17,17 +17,18 @@ from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QFontMetricsF, QMouseEvent, QPainter, QPaintEvent, QPalette, QPen, QPolygonF, QWheelEvent
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
-from ..core.displacement_rows import Z_95, SeriesPoint
-from ..core.outline import PlacedShape, end_discs, section, silhouette
-from .review_text import LengthFormat, is_dark, length_format, paper
-from .translation import tr
+from ..algorithms.support.lengths import LengthFormat, length_format
+from ..algorithms.support.translation import tr
+from ..core.model.outline import PlacedShape, end_discs, section, silhouette
+from ..core.results.unit_rows import Z_95, SeriesPoint
+from .review_text import is_dark, paper
 
 FloatArray = NDArray[np.float64]
 
 # Okabe and Ito (2008): told apart by colour-blind readers; the lighter tones serve dark themes
 EARLIER, LATER = ("#0072B2", "#56B4E9"), ("#D55E00", "#E69F00")
 FEATURE_COLOURS = {"centre": ("#000000", "#FFFFFF"), "f123": ("#0072B2", "#56B4E9"), "f124": ("#D55E00", "#E69F00")}
-FEATURE_COLOURS |= {"f134": ("#009E73", "#2BCB9E"), "f234": ("#AA4499", "#DD88CC")}
+FEATURE_COLOURS |= {"f134": ("#009E73", "#A8E6A1"), "f234": ("#882255", "#B66DFF")}
 SLAB = 0.12
 """Half thickness of the slab of points drawn in the section, as a fraction of the leg length."""
 MOST_POINTS = 6_000
@@ -50,6 +51,10 @@ class UnitScene:
         Points picked by hand in both epochs, (m, 3).
     labels
         Labels of both epochs.
+    datum
+        Name of the datum everything is drawn in.
+    shift
+        (3,) by which the later epoch is drawn aside for that.
     note
         Why there are no points, to be read in the view.
     """
@@ -60,6 +65,8 @@ class UnitScene:
     picks: tuple[FloatArray, FloatArray] = field(default_factory=lambda: (np.empty((0, 3)), np.empty((0, 3))))
     labels: tuple[str, str] = ("", "")
     note: str = ""
+    datum: str = ""
+    shift: FloatArray = field(default_factory=lambda: np.zeros(3))
 
     @cached_property
     def middle(self) -> FloatArray | None:
@@ -164,34 +171,50 @@ class UnitView(QWidget):
             points = points[np.abs((points - self.scene.middle) @ np.cross(right, up)) <= SLAB * length]
         return points[:: max(1, math.ceil(len(points) / MOST_POINTS))]
 
-    # screen and drawing coordinates
-
-    def _pixels_per_metre(self) -> float:
+    def pixels_per_metre(self) -> float:
         return self._zoom * (min(self.width(), self.height() - 2 * self.fontMetrics().height()) - 2 * MARGIN) / (2 * self.scene.half_size)
 
     def _origin(self) -> QPointF:
         return QPointF(self.width() / 2, self.height() / 2) + self._shift
 
     def _to_screen(self, flat: FloatArray) -> QPolygonF:
-        scale, origin = self._pixels_per_metre(), self._origin()
+        scale, origin = self.pixels_per_metre(), self._origin()
         places = np.asarray(flat) * [scale, -scale] + [origin.x(), origin.y()]
         return QPolygonF([QPointF(x, y) for x, y in places.tolist()])
 
     def _to_metres(self, place: QPointF) -> FloatArray:
-        scale, origin = self._pixels_per_metre(), self._origin()
+        scale, origin = self.pixels_per_metre(), self._origin()
         return np.array([(place.x() - origin.x()) / scale, (origin.y() - place.y()) / scale])
+
+    def zoom_about(self, place: QPointF, factor: float) -> None:
+        """Zoom by a factor; the given place stays where it is."""
+        zoom = min(max(self._zoom * factor, 0.3), 40.0)
+        self._shift = self._shift - (place - self._origin()) * (zoom / self._zoom - 1)
+        self._zoom = zoom
+        self.update()
+
+    def move_by(self, step: QPointF) -> None:
+        """Move the drawing by some pixels."""
+        self._shift = self._shift + step
+        self.update()
+
+    def reset(self) -> None:
+        """Back to the standard view."""
+        self._zoom, self._shift = 1.0, QPointF(0, 0)
+        self.update()
+
+    def pick_at(self, place: QPointF) -> None:
+        """Pick the point nearest to a place, while picking is on."""
+        point = self.nearest_point(place)
+        if point is not None:
+            self.picked.emit(point)
 
     # events
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom about the cursor."""
-        factor = 1.25 if event.angleDelta().y() > 0 else 0.8
-        zoom = min(max(self._zoom * factor, 0.3), 40.0)
-        arm = event.position() - self._origin()
-        self._shift = self._shift - arm * (zoom / self._zoom - 1)
-        self._zoom = zoom
+        self.zoom_about(event.position(), 1.25 if event.angleDelta().y() > 0 else 0.8)
         event.accept()
-        self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin to move the drawing."""
@@ -214,17 +237,14 @@ class UnitView(QWidget):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Pick a point where the drawing was not moved."""
-        if self._pressed is not None and not self._moved and self.picking_epoch is not None:
-            point = self.nearest_point(QPointF(event.pos()))
-            if point is not None:
-                self.picked.emit(point)
+        if self._pressed is not None and not self._moved:
+            self.pick_at(QPointF(event.pos()))
         self._pressed = None
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Back to the standard view."""
-        self._zoom, self._shift = 1.0, QPointF(0, 0)
+        self.reset()
         event.accept()
-        self.update()
 
     def leaveEvent(self, event: object) -> None:
         """Forget the read-out."""
@@ -238,13 +258,13 @@ class UnitView(QWidget):
         points = self._visible(self.scene.points[self.picking_epoch])
         right, up = self.axes()
         flat = (points - self.scene.middle) @ np.vstack([right, up]).T
-        distance = np.hypot(*(flat - self._to_metres(place)).T) * self._pixels_per_metre()
+        distance = np.hypot(*(flat - self._to_metres(place)).T) * self.pixels_per_metre()
         near = np.flatnonzero(distance <= pixels)
         if len(near) == 0:
             return None
         depth = points[near] @ np.cross(right, up)
         # a surface is only as deep as the neighbourhood is wide: among the nearest to the viewer take the closest to the cursor
-        front = near[depth >= depth.max() - pixels / self._pixels_per_metre()]
+        front = near[depth >= depth.max() - pixels / self.pixels_per_metre()]
         return points[front[np.argmin(distance[front])]]
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -317,8 +337,9 @@ class UnitView(QWidget):
         title = tr("Plan") if self._plan else tr("Section {azimuth}°").format(azimuth=f"{math.degrees(self.azimuth) % 360:.0f}")
         base = paper(self.palette())
         base.setAlpha(200)
-        wide = max(metrics.horizontalAdvance(text) for text in (title, *self.scene.labels)) + 2 * MARGIN + 22
-        painter.fillRect(QRectF(0, 0, wide, 3 * line + MARGIN + 2), base)
+        datum = metrics.elidedText(self.scene.datum, Qt.TextElideMode.ElideRight, self.width() - 2 * MARGIN - 22)
+        wide = max(metrics.horizontalAdvance(text) for text in (title, datum, *self.scene.labels)) + 2 * MARGIN + 22
+        painter.fillRect(QRectF(0, 0, wide, (4 if datum else 3) * line + MARGIN + 2), base)
         painter.setPen(ink)
         painter.drawText(QPointF(MARGIN, MARGIN + metrics.ascent()), title)
         for epoch in (0, 1):
@@ -327,15 +348,16 @@ class UnitView(QWidget):
             painter.drawLine(QPointF(MARGIN, y), QPointF(MARGIN + 18, y))
             painter.setPen(ink)
             painter.drawText(QPointF(MARGIN + 22, y + metrics.ascent() / 2 - 1), self.scene.labels[epoch])
-        bar = _round_below(0.3 * self.width() / self._pixels_per_metre())
+        painter.drawText(QPointF(MARGIN, MARGIN + 3 * line + metrics.ascent()), datum)
+        bar = _round_below(0.3 * self.width() / self.pixels_per_metre())
         bottom = self.height() - MARGIN
         text = f"{bar:g} m"
         painter.fillRect(
-            QRectF(0, bottom - line - 6, bar * self._pixels_per_metre() + metrics.horizontalAdvance(text) + 4 * MARGIN, line + 12), base
+            QRectF(0, bottom - line - 6, bar * self.pixels_per_metre() + metrics.horizontalAdvance(text) + 4 * MARGIN, line + 12), base
         )
         painter.setPen(QPen(ink, 2.0))
-        painter.drawLine(QPointF(MARGIN, bottom - 3), QPointF(MARGIN + bar * self._pixels_per_metre(), bottom - 3))
-        painter.drawText(QPointF(2 * MARGIN + bar * self._pixels_per_metre(), bottom), text)
+        painter.drawLine(QPointF(MARGIN, bottom - 3), QPointF(MARGIN + bar * self.pixels_per_metre(), bottom - 3))
+        painter.drawText(QPointF(2 * MARGIN + bar * self.pixels_per_metre(), bottom), text)
         if self._plan:
             tip = QPointF(self.width() - 14, MARGIN + 4)
             painter.setBrush(ink)

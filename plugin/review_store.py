@@ -14,11 +14,13 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.displacement_rows import EpochInfo, UnitDetails, UnitRow, datums, read_details, read_epochs, read_unit_rows, unit_sizes
-from ..core.errors import InputError, OutputError, TetratrackError
-from ..core.result_tables import EpochPair, epoch_pairs
-from ..core.reviews import Decision, Review, ReviewEvent, confirm, decide, is_writable, prepare, read_history, read_reviews, undo
-from ..core.unit_points import PointIndex, index_folder
+from ..core.common.errors import InputError, OutputError, TetratrackError
+from ..core.results.geopackage_reader import EpochPair, epoch_pairs
+from ..core.results.result_access import is_writable
+from ..core.results.unit_rows import EpochInfo, UnitDetails, UnitRow, datums, read_details, read_epochs, read_unit_rows, unit_sizes
+from ..core.review.corrections import edits_stamp
+from ..core.review.decisions import Decision, Review, ReviewEvent, confirm, decide, prepare, read_history, read_reviews, undo
+from ..core.review.point_index import PointIndex, index_folder
 
 FloatArray = NDArray[np.float64]
 Topic = Literal["rows", "order", "selection", "reviews"]
@@ -70,6 +72,12 @@ class Statistics:
     largest: float | None
 
 
+def latest_pair(pairs: Sequence[EpochPair], labels: Sequence[str]) -> EpochPair:
+    """The last of the pairs of consecutive epochs, which a reviewer opens a result for; ``labels`` in the order of time."""
+    consecutive = [pair for pair in pairs if labels.index(pair.epoch_to) == labels.index(pair.epoch_from) + 1]
+    return max(consecutive or pairs, key=lambda pair: labels.index(pair.epoch_to))
+
+
 class ReviewStore:
     """One open result file and what the reviewer sees of it.
 
@@ -97,7 +105,7 @@ class ReviewStore:
             except OutputError:
                 # another process holds the file; every write tries again and says so
                 self.writable = is_writable(self.path)
-        self.pair = self.pairs[0]
+        self.pair = latest_pair(self.pairs, [info.label for info in self.epochs])
         self.datum = datums(self.path, self.pair)[0]
         self.rows: list[UnitRow] = []
         self.order: list[int] = []
@@ -110,6 +118,7 @@ class ReviewStore:
         self._statistics: Statistics | None = None
         self._seen: tuple[tuple[int, int], ...] = ()
         self._observers: list[Callable[[Topic], None]] = []
+        self._edits = (0, 0)
         self._undoable: list[list[int]] = []
         self._details: dict[str, UnitDetails] = {}
         self._load()
@@ -134,15 +143,21 @@ class ReviewStore:
         available = datums(self.path, pair)
         if not available:
             raise InputError(f"has no displacements for {pair}", source=self.path, remedy="Choose another epoch pair.")
-        self.pair = pair
-        self.datum = self.datum if self.datum in available else available[0]
-        self._load()
+        self._compare(pair, self.datum if self.datum in available else available[0])
 
     def set_datum(self, datum: str) -> None:
         """Show displacements in another datum."""
         if datum != self.datum:
-            self.datum = datum
+            self._compare(self.pair, datum)
+
+    def _compare(self, pair: EpochPair, datum: str) -> None:
+        before = self.pair, self.datum
+        self.pair, self.datum = pair, datum
+        try:
             self._load()
+        except TetratrackError:
+            self.pair, self.datum = before
+            raise
 
     @property
     def datums(self) -> tuple[str, ...]:
@@ -228,6 +243,15 @@ class ReviewStore:
         with suppress(TetratrackError):
             self.index = PointIndex(index_folder(self.path))
 
+    def points_around(self, epoch: str, centre: FloatArray, half_size: float) -> FloatArray:
+        """(n, 3) points of an epoch around a place; none where there is no index, or one that turns out to be damaged."""
+        if self.index is not None:
+            try:
+                return self.index.read(epoch, centre, half_size)
+            except TetratrackError:
+                self.index = None
+        return np.empty((0, 3))
+
     # decisions
 
     def review(self, unit_id: str) -> Review | None:
@@ -264,10 +288,9 @@ class ReviewStore:
     def undo(self, *, reviewer: str) -> tuple[str, ...]:
         """Take back the reviewer's last act, of this session or of one before; the units it was on."""
         events = read_history(self.path)
-        standing = {event.undoes for event in events if event.action == "undo"}
-        mine = [
-            e for e in events if e.action != "undo" and e.number not in standing and e.reviewer.casefold() == reviewer.strip().casefold()
-        ]
+        taken_back = {event.undoes for event in events if event.action == "undo"}
+        acts = [event for event in events if event.action in ("decide", "confirm") and event.number not in taken_back]
+        mine = [event for event in acts if event.reviewer.casefold() == reviewer.strip().casefold()]
         if not mine:
             raise InputError("there is nothing of yours to undo", source=self.path, remedy="Only your own decisions can be undone.")
         last = mine[-1].number
@@ -277,19 +300,23 @@ class ReviewStore:
         self._reviewed()
         return tuple(event.unit_id for event in mine if event.number in batch)
 
-    def refresh(self) -> bool:
-        """Take in what other reviewers wrote meanwhile; whether anything changed."""
+    def refresh(self) -> Literal["", "decisions", "corrections"]:
+        """Take in what other reviewers wrote meanwhile; what it was, empty for nothing."""
         stamp = self._stamp()
         if stamp == self._seen:
-            return False
+            return ""
         self._seen = stamp
+        edits = edits_stamp(self.path)
+        if edits != self._edits:
+            self.reload()
+            return "corrections"
         reviews = read_reviews(self.path)
         if reviews == self.reviews:
-            return False
+            return ""
         self.reviews = reviews
         self._arrange(tell=False)
         self._tell("reviews")
-        return True
+        return "decisions"
 
     def reload(self) -> None:
         """Read the rows again, after an edit changed poses or displacements."""
@@ -331,9 +358,10 @@ class ReviewStore:
         return units
 
     def _load(self) -> None:
-        self.rows = read_unit_rows(self.path, self.pair, self.datum)
+        # all is read before anything changes: the window may draw itself meanwhile
+        edits, rows, reviews = edits_stamp(self.path), read_unit_rows(self.path, self.pair, self.datum), read_reviews(self.path)
+        self._edits, self.rows, self.reviews = edits, rows, reviews
         self._position = {row.unit_id: k for k, row in enumerate(self.rows)}
-        self.reviews = read_reviews(self.path)
         self.selected = tuple(unit for unit in self.selected if unit in self._position)
         self._arrange(tell=False)
         self._tell("rows")

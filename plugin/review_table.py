@@ -8,10 +8,11 @@ from qgis.PyQt.QtCore import QAbstractTableModel, QEvent, QItemSelection, QItemS
 from qgis.PyQt.QtGui import QBrush, QColor, QFont, QKeyEvent, QPalette
 from qgis.PyQt.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableView, QWidget
 
-from ..core.displacement_rows import UnitRow
-from ..core.reviews import DECISIONS
+from ..algorithms.support.lengths import length_format
+from ..core.results.unit_rows import UnitRow
+from ..core.review.decisions import DECISIONS
 from .review_store import COLUMNS, ReviewStore
-from .review_text import column_help, column_label, decision_colour, decision_label, kind_label, length_format
+from .review_text import column_help, column_label, decision_colour, decision_label, kind_label
 
 LENGTH_COLUMNS = ("d_3d", "d_horizontal", "vertical")
 TEXT_COLUMNS = ("unit_id", "kind", "decision", "reviewer")

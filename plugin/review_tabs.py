@@ -6,28 +6,37 @@ import math
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 from qgis.PyQt.QtCore import pyqtSignal
-from qgis.PyQt.QtWidgets import QCheckBox, QHBoxLayout, QSpinBox, QTabWidget, QTextBrowser, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QCheckBox, QHBoxLayout, QSpinBox, QTabWidget, QTextBrowser, QToolButton, QVBoxLayout, QWidget
 
-from ..core.displacement_rows import series
-from ..core.schema import FEATURES
-from ..core.unit_edits import read_picks
+from ..algorithms.support.translation import tr
+from ..core.results.field_checks import foreign_contents
+from ..core.results.schema import FEATURES
+from ..core.results.unit_rows import series, shift_to_datum
+from ..core.review.corrections import read_picks
 from .review_details import history_html, numbers_html
+from .review_panels import StatusLine
 from .review_plots import SeriesView, UnitScene, UnitView
 from .review_store import ReviewStore
-from .translation import tr
+from .review_text import datum_label
+
+FloatArray = NDArray[np.float64]
 
 
 class UnitTabs(QTabWidget):
     """What is known of the store's current unit; only the page in front is brought up to date.
 
-    ``picked`` carries the (e, n, h) of a point clicked in a view while picking is on.
+    ``picked`` carries the (e, n, h) of a point clicked in a view while picking is on; ``points_wanted`` asks for the points around the
+    units, which are not read yet.
     """
 
     picked = pyqtSignal(object)
+    points_wanted = pyqtSignal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, status: StatusLine, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._status = status
         self._store: ReviewStore | None = None
         self.setDocumentMode(True)
         self.setMinimumHeight(180)
@@ -47,9 +56,17 @@ class UnitTabs(QTabWidget):
         self._store = store
 
     def show_unit(self) -> None:
-        """Show the current unit on the page in front."""
-        if self._store is not None:
-            self._show[self.currentIndex()](self._store, self._store.current)
+        """Show the current unit on the page in front, or nothing and why, where its rows cannot be read."""
+        store, show = self._store, self._show[self.currentIndex()]
+        if store is None:
+            return
+
+        def read() -> None:
+            with foreign_contents(store.path):
+                show(store, store.current)
+
+        if not self._status.attempt(read):
+            show(store, None)
 
     def set_picking(self, epoch: int | None) -> None:
         """Pick points of the earlier (0) or later (1) epoch in the views; None ends it."""
@@ -64,7 +81,7 @@ class UnitTabs(QTabWidget):
         pictures.setSpacing(2)
         self.plan, self.section = UnitView("plan", page), UnitView("section", page)
         for view in (self.plan, self.section):
-            view.picked.connect(self.picked)
+            view.picked.connect(self._pick)
             pictures.addWidget(view, 1)
         self.along = QCheckBox(tr("Section along the displacement"), page)
         self.along.setChecked(True)
@@ -76,11 +93,21 @@ class UnitTabs(QTabWidget):
         self.azimuth.setToolTip(tr("Direction of the section, from grid north; each outline is cut through its own centre"))
         self.along.toggled.connect(self._turn_section)
         self.azimuth.valueChanged.connect(lambda value: self._turn_section(self.along.isChecked()))
+        self.read_points = QToolButton(page)
+        self.read_points.setText(tr("Read the points…"))
+        self.read_points.setToolTip(tr("Reads the points around the units from the tiles of the survey, for the views and for picking"))
+        self.read_points.clicked.connect(lambda checked=False: self.points_wanted.emit())
         below.addWidget(self.along, 1)
+        below.addWidget(self.read_points)
         below.addWidget(self.azimuth)
         layout.addLayout(pictures, 1)
         layout.addLayout(below)
         return page
+
+    def _pick(self, point: FloatArray) -> None:
+        """Tell what was clicked in the control frame of its epoch: the later one is drawn shifted into the datum shown."""
+        later = self.plan.picking_epoch == 1
+        self.picked.emit(point - self.plan.scene.shift if later else point)
 
     def _turn_section(self, along: bool) -> None:
         self.azimuth.setEnabled(not along)
@@ -90,6 +117,7 @@ class UnitTabs(QTabWidget):
         scene = scene_of(store, unit) if unit else UnitScene()
         for view in (self.plan, self.section):
             view.show_scene(scene)
+        self.read_points.setVisible(store.index is None)
         if self.along.isChecked():
             self.azimuth.blockSignals(True)
             self.azimuth.setValue(round(math.degrees(scene.section_azimuth)) % 360)
@@ -111,16 +139,23 @@ class UnitTabs(QTabWidget):
 
 
 def scene_of(store: ReviewStore, unit: str) -> UnitScene:
-    """Outlines, points, features and picks of a unit in the store's pair."""
-    details, pair = store.details(unit), store.pair
+    """Outlines, points, features and picks of a unit in the store's pair and datum."""
+    details, pair, row = store.details(unit), store.pair, store.row(unit)
     labels = (pair.epoch_from, pair.epoch_to)
-    shapes = (details.shapes.get(labels[0]), details.shapes.get(labels[1]))
-    features = tuple({name: value[0] for name, value in details.features.get(label, {}).items()} for label in labels)
+    shifts = (np.zeros(3), np.zeros(3) if row is None else shift_to_datum(row, details, pair))
+    shapes, features, places = [], [], []
     picks = read_picks(store.path, unit)
-    places = tuple(np.array([row["geom"] for row in picks if row["epoch"] == label]).reshape(-1, 3) for label in labels)
-    outlines = UnitScene(shapes, features=features, picks=places, labels=labels)
-    if outlines.middle is None:
-        return outlines
+    for label, shift in zip(labels, shifts):
+        shape = details.shapes.get(label)
+        shapes.append(None if shape is None else replace(shape, centre=shape.centre + shift))
+        features.append({name: value[0] + shift for name, value in details.features.get(label, {}).items()})
+        places.append(np.array([row["geom"] for row in picks if row["epoch"] == label]).reshape(-1, 3) + shift)
+    scene = UnitScene(
+        tuple(shapes), features=tuple(features), picks=tuple(places), labels=labels, datum=datum_label(store.datum), shift=shifts[1]
+    )
+    if scene.middle is None:
+        return scene
     if store.index is None:
-        return replace(outlines, note=tr("points not read yet"))
-    return replace(outlines, points=tuple(store.index.read(label, outlines.middle, outlines.half_size) for label in labels))
+        return replace(scene, note=tr("points not read yet"))
+    points = (store.points_around(label, scene.middle - shift, scene.half_size) + shift for label, shift in zip(labels, shifts))
+    return replace(scene, points=tuple(points))

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from qgis.core import Qgis, QgsProject, QgsSettings, QgsUnitTypes
 from qgis.PyQt.QtGui import QColor, QPalette
 
-from .translation import tr
+from ..algorithms.support.lengths import length_format
+from ..algorithms.support.translation import tr
 
-DECISION_COLOURS = {"accepted": ("#1E7B4B", "#6FCF97"), "rejected": ("#B03A2E", "#FF8A7A"), "inspect": ("#B9770E", "#F2B134")}
+DECISION_COLOURS = {"accepted": ("#006B5E", "#7FE0C8"), "rejected": ("#8E1B1B", "#F4776A"), "inspect": ("#946200", "#FFD54A")}
 """Colour of each decision on light and on dark paper."""
 
 
@@ -40,7 +38,13 @@ def datum_label(datum: str) -> str:
 
 def action_label(action: str) -> str:
     """Name of an act in the history."""
-    return {"decide": tr("decided"), "confirm": tr("confirmed"), "undo": tr("took back")}.get(action, action)
+    return {
+        "decide": tr("decided"),
+        "confirm": tr("confirmed"),
+        "undo": tr("took back"),
+        "lapse": tr("changed the numbers, which ended"),
+        "restore": tr("brought back the numbers of"),
+    }.get(action, action)
 
 
 def edit_label(kind: str) -> str:
@@ -106,38 +110,3 @@ def decision_colour(decision: str, palette: QPalette) -> QColor:
     """Colour of a decision, readable on the palette's paper."""
     light, dark = DECISION_COLOURS.get(decision, ("#5D6D7E", "#ABB2B9"))
     return QColor(dark if is_dark(palette) else light)
-
-
-@dataclass(frozen=True)
-class LengthFormat:
-    """How lengths are written: factor from metres, unit and decimals."""
-
-    factor: float
-    suffix: str
-    decimals: int
-
-    def number(self, metres: float) -> str:
-        """The bare number."""
-        # adding zero turns the negative zero of small values into zero
-        return f"{round(metres * self.factor, self.decimals) + 0.0:.{self.decimals}f}"
-
-    def text(self, metres: float) -> str:
-        """Number and unit."""
-        return f"{self.number(metres)} {self.suffix}"
-
-
-def length_format() -> LengthFormat:
-    """Lengths as the project's distance unit and QGIS's measurement decimals ask; metres where that unit is none for a displacement."""
-    unit = QgsProject.instance().distanceUnits()
-    near = (
-        Qgis.DistanceUnit.Meters,
-        Qgis.DistanceUnit.Centimeters,
-        Qgis.DistanceUnit.Millimeters,
-        Qgis.DistanceUnit.Feet,
-        Qgis.DistanceUnit.Inches,
-    )
-    if unit not in near:
-        unit = Qgis.DistanceUnit.Meters
-    factor = QgsUnitTypes.fromUnitToUnitFactor(Qgis.DistanceUnit.Meters, unit)
-    decimals = QgsSettings().value("qgis/measure/decimalplaces", 3, type=int)
-    return LengthFormat(factor, QgsUnitTypes.toAbbreviatedString(unit), max(0, min(int(decimals), 6)))

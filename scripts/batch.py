@@ -3,21 +3,39 @@ that one bad survey does not end the others."""
 
 from __future__ import annotations
 
+import json
+import os
 import subprocess  # nosec B404 - starts this command itself, with a list of arguments
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..core.errors import InputError
-from ..core.feedback import Feedback
-from ..core.survey import read_survey
-from ..core.tiles import checksum
-from .console import DONE
+from ..core.common.atomic_files import write_whole
+from ..core.common.errors import Cancelled, InputError, TetratrackError
+from ..core.common.feedback import Feedback
+from ..core.common.output_files import check_targets
+from ..core.data.las_files import checksum
+from ..core.data.survey import read_survey
+from .console import BAD_INPUT, DONE, INTERRUPTED
 
 SETTLED_SECONDS = 5.0
 """A tile whose size stands still this long counts as copied completely."""
+LONGEST_PAUSE = 3600.0
+"""Seconds between two tries of a run that failed for a passing reason, at most."""
+ENGINE = Path(__file__).with_name("engine.py")
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a run ended: exit code, its last error, and whether another try may succeed with the same input."""
+
+    code: int
+    problem: str = ""
+    remedy: str = ""
+    passing: bool = False
 
 
 def result_of(survey: Path) -> Path:
@@ -40,11 +58,14 @@ def run_batch(surveys: Sequence[Path], options: Sequence[str], feedback: Feedbac
     InputError
         After all have been tried, if any was refused.
     """
+    check_targets([(result_of(survey), str(survey)) for survey in surveys])
     failed = []
     for number, survey in enumerate(surveys):
         feedback.progress(number / len(surveys), f"{survey}")
-        code = _run(survey, options, feedback)
-        if code != DONE:
+        outcome = _run(survey, options, feedback)
+        if outcome.code == INTERRUPTED:
+            raise Cancelled("cancelled")
+        if outcome.code != DONE:
             failed.append(str(survey))
     feedback.progress(1.0, "done")
     if failed:
@@ -57,6 +78,9 @@ def run_batch(surveys: Sequence[Path], options: Sequence[str], feedback: Feedbac
 def watch(survey: Path, options: Sequence[str], interval: float, once: bool, feedback: Feedback) -> dict[str, Any]:
     """Run a survey anew whenever its tiles or its survey.toml changed and have stood still for a moment.
 
+    Input that is refused is refused until it changes; what failed for another reason (a locked result, a full disk) is tried again after
+    pauses that grow to an hour.
+
     Parameters
     ----------
     survey
@@ -66,54 +90,128 @@ def watch(survey: Path, options: Sequence[str], interval: float, once: bool, fee
     interval
         Seconds between looks.
     once
-        End after the first run that succeeds.
+        Look once, run if there is something new, and end as that run ended.
     feedback
         Receives what happens.
+
+    Raises
+    ------
+    InputError, TetratrackError
+        With ``once``: input is missing, is still being copied, or was refused; or the run failed.
+    Cancelled
+        The run was interrupted.
     """
-    runs = 0
     state_file = result_of(survey).with_suffix(".watched")
-    done = state_file.read_text(encoding="utf-8") if state_file.is_file() else ""
+    done = state_file.read_text(encoding="utf-8", errors="replace") if state_file.is_file() else ""
+    waiting, tries = "", 0
     while True:
-        state = _settled_state(survey, feedback)
-        if state is not None and state != done:
-            feedback.info(f"{survey}: new or changed input")
-            if _run(survey, ["--resume", *options], feedback) == DONE:
-                state_file.write_text(state, encoding="utf-8")
-                runs += 1
-            # input that is refused is refused until it changes
-            done = state
+        pause = interval
+        try:
+            state = _settled_state(survey)
+        except InputError as error:
             if once:
-                return {"runs": runs}
-        elif once and state is not None:
-            return {"runs": runs}
-        time.sleep(interval)
+                raise
+            if str(error) != waiting:
+                waiting = str(error)
+                feedback.warning(f"waiting: {waiting}")
+        else:
+            waiting = ""
+            if state == done:
+                if once:
+                    return {"runs": 0}
+            else:
+                feedback.info(f"{survey}: new or changed input")
+                outcome = _run(survey, ["--resume", *options], feedback)
+                if outcome.code == DONE:
+                    write_whole(state_file, state.encode("utf-8"))
+                if once or outcome.code == INTERRUPTED:
+                    return _ended(outcome)
+                tries = tries + 1 if outcome.passing else 0
+                if outcome.passing:
+                    pause = min(interval * 2**tries, LONGEST_PAUSE)
+                    feedback.warning(f"trying again in {pause:.0f} s")
+                else:
+                    done = state
+        time.sleep(pause)
 
 
-def _run(survey: Path, options: Sequence[str], feedback: Feedback) -> int:
-    """Run one survey in a process of its own and pass its lines on."""
-    command = [sys.executable, "-m", "tetratrack.scripts.cli", "run", str(survey), "--output", str(result_of(survey)), *options]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, encoding="utf-8") as process:  # nosec B603 - as above
+def _ended(outcome: Outcome) -> dict[str, Any]:
+    """End as the run did."""
+    if outcome.code == DONE:
+        return {"runs": 1}
+    if outcome.code == INTERRUPTED:
+        raise Cancelled("cancelled")
+    if outcome.code == BAD_INPUT:
+        raise InputError(outcome.problem or "the run was refused", remedy=outcome.remedy)
+    raise TetratrackError(outcome.problem or f"the run ended with exit code {outcome.code}")
+
+
+def _run(survey: Path, options: Sequence[str], feedback: Feedback) -> Outcome:
+    """Run one survey in a process of its own, which ends with this one, and pass its messages on."""
+    result = result_of(survey)
+    # -P: nothing is imported from the working directory
+    command = [sys.executable, "-P", "-X", "utf8", str(ENGINE), "--attached", "run", str(survey), "--output", str(result), *options]
+    problem, remedy, passing, reported = "", "", True, False
+    with subprocess.Popen(  # nosec B603 - as above
+        [*command, "--json-progress"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        encoding="utf-8",
+        errors="replace",
+        env=os.environ | {"PYTHONSAFEPATH": "1"},
+    ) as process:
         try:
             for line in process.stdout or ():
-                say: Callable[[str], None] = feedback.warning if line.startswith("error: ") else feedback.info
-                say(f"{survey.stem}: {line.rstrip()}")
+                event = _event(line)
+                kind, message = event.get("event"), f"{survey.stem}: {event.get('message', '')}"
+                if kind == "log":
+                    (feedback.warning if event.get("level") == "warning" else feedback.info)(message)
+                elif kind == "result":
+                    reported = True
+                elif kind == "error":
+                    problem, remedy, passing = str(event["message"]), str(event.get("remedy", "")), bool(event.get("passing"))
+                    feedback.warning(f"{survey.stem}: error: {problem}")
         except BaseException:
             process.terminate()
             raise
-    return process.returncode
+    code = process.returncode
+    if code == DONE and not (reported and result.is_file()):
+        return Outcome(1, f"{result} was not written though the run ended well", passing=True)
+    # one error holds the remedy in its message already
+    return Outcome(code, problem.removesuffix(remedy).rstrip(), remedy, passing and code not in (DONE, INTERRUPTED))
 
 
-def _settled_state(survey: Path, feedback: Feedback) -> str | None:
-    """Checksum of the survey and all its inputs; None while something is missing or still being copied."""
+def _event(line: str) -> dict[str, Any]:
+    """An event of the engine; a line that some library printed is a message."""
     try:
-        described = read_survey(survey)
-    except InputError as error:
-        feedback.progress(0.0, f"waiting: {error}")
-        return None
+        event = json.loads(line)
+    except ValueError:
+        event = None
+    return event if isinstance(event, dict) else {"event": "log", "level": "info", "message": line.rstrip()}
+
+
+def _settled_state(survey: Path) -> str:
+    """Checksum of the survey and all its inputs.
+
+    Raises
+    ------
+    InputError
+        Something is missing, or is still being copied.
+    """
+    described = read_survey(survey)
     files = [survey, *(path for epoch in described.epochs for path in epoch.files)]
-    sizes = [path.stat().st_size for path in files]
+    sizes = [_size(path) for path in files]
     time.sleep(SETTLED_SECONDS)
-    if [path.stat().st_size for path in files if path.exists()] != sizes:
-        feedback.progress(0.0, "waiting: files are being copied")
-        return None
+    changing = next((path for path, size in zip(files, sizes, strict=True) if size is None or _size(path) != size), None)
+    if changing is not None:
+        raise InputError("is still being copied", source=changing, remedy="Look again when the copy is complete.")
     return "\n".join(f"{checksum(path)}  {path}" for path in files)
+
+
+def _size(path: Path) -> int | None:
+    try:
+        return path.stat().st_size
+    except OSError:
+        return None

@@ -3,18 +3,19 @@ that needs them."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..core.feedback import Feedback
-from .console import Console, execute
+from ..core.common.feedback import Feedback
+from .console import Console, execute, prepare_process
 
 if TYPE_CHECKING:
-    from ..core.result_tables import EpochPair
-    from ..core.unit_types import UnitType
+    from ..core.model.unit_types import UnitType
+    from ..core.results.geopackage_reader import EpochPair
 
 app = typer.Typer(
     add_completion=False,
@@ -37,7 +38,17 @@ JsonProgress = Annotated[bool, typer.Option("--json-progress", help="One JSON ob
 EpochFrom = Annotated[str | None, typer.Option("--from", help="Earlier epoch; by default of the last pair")]
 EpochTo = Annotated[str | None, typer.Option("--to", help="Later epoch")]
 Datum = Annotated[str | None, typer.Option("--datum", help="stable or control; by default the result's")]
+Separator = Annotated[str, typer.Option("--separator", help="Between fields of a CSV: comma, tab, or semicolon (with decimal commas)")]
+Axis = Annotated[str, typer.Option("--axis", help="Axis of the structure: easting,northing easting,northing ...")]
+Tolerance = Annotated[float | None, typer.Option("--tolerance", min=0, help="Metres a unit may be from its planned place")]
+TurnTolerance = Annotated[float | None, typer.Option("--turn-tolerance", min=0, help="Degrees it may be turned")]
+ProfileTolerance = Annotated[float | None, typer.Option("--profile-tolerance", min=0, help="Metres a unit may be off the design profile")]
+Reference = Annotated[str, typer.Option("--reference", help="Judged against the profile: outer (outermost point) or centre")]
 UnitName = Annotated[str, typer.Option("--unit", help='Type of unit, "tetrapod" or e.g. "tetrapod 8 t"')]
+DraftCrs = Annotated[str | None, typer.Option("--crs", help="CRS of the survey where the tiles declare none, or LOCAL; for folders")]
+DraftHeight = Annotated[
+    float | None, typer.Option("--height", min=1e-6, help="Height of the units, metres, instead of an estimate; for folders")
+]
 Height = Annotated[float | None, typer.Option("--height", min=1e-6, help="Nominal height H, metres")]
 Radius = Annotated[float | None, typer.Option("--radius", min=1e-6, help="Leg cone radius at the unit's centre, metres")]
 Gradient = Annotated[float | None, typer.Option("--gradient", min=1e-6, help="Loss of radius per metre of leg")]
@@ -49,15 +60,20 @@ def _run(quiet: bool, log_file: Path | None, json_progress: bool, step: Callable
     """Run a step with its messages going to the console, and leave with its exit code."""
 
     def with_feedback(console: Console) -> dict[str, Any]:
-        return step(Feedback(console.progress, console.info, console.warning))
+        return step(Feedback(console.progress, console.info, console.warning, lambda: console.cancelled))
 
     raise typer.Exit(execute(Console(quiet, log_file, json_progress), with_feedback))
 
 
 @app.command()
 def run(
-    survey: SurveyFile,
+    survey: Annotated[
+        Path,
+        typer.Argument(metavar="SURVEY.toml|FOLDER", help="What was surveyed, or a folder of tiles", show_default=False),
+    ],
     output: Output,
+    crs: DraftCrs = None,
+    unit_height: DraftHeight = None,
     workers: Workers = 0,
     scheduler: Scheduler = None,
     resume: Resume = False,
@@ -69,11 +85,54 @@ def run(
     """All steps: tiles to units, feature points, registration and displacements."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.run_options import RunOptions
-        from ..core.survey import read_survey
-        from ..core.workflow import run_survey
+        from ..core.pipeline.new_survey import Given, given_survey
+        from ..core.pipeline.run_options import RunOptions
+        from ..core.pipeline.whole_survey import run_survey
 
-        return run_survey(read_survey(survey), output, RunOptions(workers, scheduler, resume, seed), feedback)
+        found = given_survey(survey, Given(height=unit_height, crs=crs), output, feedback)
+        return run_survey(found, output, RunOptions(workers, scheduler, resume, seed), feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def init(
+    folders: Annotated[list[Path] | None, typer.Argument(metavar="FOLDER...", help="Folders of tiles", show_default=False)] = None,
+    crs: DraftCrs = None,
+    unit_height: DraftHeight = None,
+    name: Annotated[str | None, typer.Option("--name", help="Name of the survey; default the folder's")] = None,
+    size: Annotated[bool, typer.Option("--size/--no-size", help="Estimate the size of the units, which takes a minute")] = True,
+    epochs: Annotated[Path | None, typer.Option("--epochs", help="Epochs as the plugin's table holds them, JSON", hidden=True)] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="File to write instead of standard output")] = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Write a survey.toml from what the files in folders say: epochs, CRS, tables, size of the units.
+
+    It goes to standard output; on a terminal, to survey.toml in the first folder.
+    """
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.data.survey_draft import draft_record, draft_text
+        from ..core.pipeline.given_epochs import read_given_epochs
+        from ..core.pipeline.new_survey import Given, draft_of_rows, draft_survey, write_draft
+
+        given = Given(height=unit_height, crs=crs, name=name)
+        if epochs is not None:
+            draft = draft_of_rows(read_given_epochs(epochs), given, feedback, size=size)
+        else:
+            draft = draft_survey(folders or [], given, feedback, size=size)
+        for warning in (*draft.questions, *draft.warnings):
+            feedback.warning(warning)
+        found = {"questions": len(draft.questions)} | ({"draft": draft_record(draft)} if json_progress else {})
+        beside = folders[0] / "survey.toml" if folders and sys.stdout.isatty() and folders[0].is_dir() else None
+        target = output or beside
+        if target is None:
+            return found if json_progress else {"document": draft_text(draft)}
+        feedback.info(draft_text(draft, target.absolute().parent))
+        write_draft(draft, target)
+        return {"survey": str(target)} | found
 
     _run(quiet, log_file, json_progress, step)
 
@@ -86,24 +145,21 @@ def inspect(
     log_file: LogFile = None,
     json_progress: JsonProgress = False,
 ) -> None:
-    """Extent, CRS, number and density of points of tiles."""
+    """Verdict on every input: tiles with extent, CRS, points; tables and epochs against each other. Exit code 2 if a run would refuse."""
 
-    def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.epoch_plans import plan_survey
-        from ..core.survey import read_survey
-        from ..core.workflow import run_inspect
+    def step(console: Console) -> dict[str, Any]:
+        from ..core.data.survey import read_survey
+        from ..core.pipeline.inspection import run_inspect
 
-        paths: list[Path] = []
-        for tile in tiles:
-            if tile.suffix.lower() == ".toml":
-                survey = read_survey(tile)
-                plan_survey(survey, feedback)
-                paths += [path for epoch in survey.epochs for path in epoch.tiles]
-            else:
-                paths.append(tile)
-        return run_inspect(paths, output, feedback)
+        feedback = Feedback(console.progress, console.info, console.warning)
+        inputs = [read_survey(path) if path.suffix.lower() == ".toml" else path for path in tiles]
+        outputs, error = run_inspect(inputs, output, feedback)
+        if error is not None:
+            console.result(outputs)
+            raise error
+        return outputs
 
-    _run(quiet, log_file, json_progress, step)
+    raise typer.Exit(execute(Console(quiet, log_file, json_progress), step))
 
 
 @app.command()
@@ -121,9 +177,9 @@ def segment(
     """Find the units of every epoch: approximate poses, in the frame of the epoch's cloud."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.run_options import RunOptions
-        from ..core.survey import read_survey
-        from ..core.workflow import run_segment
+        from ..core.data.survey import read_survey
+        from ..core.pipeline.run_options import RunOptions
+        from ..core.pipeline.whole_survey import run_segment
 
         return run_segment(read_survey(survey), output, RunOptions(workers, scheduler, resume, seed), feedback)
 
@@ -148,9 +204,9 @@ def fit(
     """Adjust every unit to its points (Gauss-Helmert), in the frame of the epoch's cloud."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.run_options import RunOptions
-        from ..core.survey import read_survey
-        from ..core.workflow import run_fit
+        from ..core.data.survey import read_survey
+        from ..core.pipeline.run_options import RunOptions
+        from ..core.pipeline.whole_survey import run_fit
 
         return run_fit(read_survey(survey), units, output, RunOptions(workers, scheduler, resume, seed), feedback)
 
@@ -159,14 +215,19 @@ def fit(
 
 @app.command()
 def features(
-    units: ResultFile, output: Output, quiet: Quiet = False, log_file: LogFile = None, json_progress: JsonProgress = False
+    units: ResultFile,
+    output: Output,
+    end_discs: Annotated[bool, typer.Option("--end-discs", help="Centres of the legs' end discs as well: d1 to d4")] = False,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
 ) -> None:
     """Feature points with covariance from adjusted units."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.workflow import run_features
+        from ..core.pipeline.whole_survey import run_features
 
-        return run_features(units, output, feedback)
+        return run_features(units, output, feedback, end_discs=end_discs)
 
     _run(quiet, log_file, json_progress, step)
 
@@ -178,9 +239,9 @@ def register(
     """Register every epoch's cloud to survey control."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.run_options import RunOptions
-        from ..core.survey import read_survey
-        from ..core.workflow import run_register
+        from ..core.data.survey import read_survey
+        from ..core.pipeline.run_options import RunOptions
+        from ..core.pipeline.whole_survey import run_register
 
         return run_register(read_survey(survey), output, RunOptions(), feedback)
 
@@ -192,6 +253,7 @@ def track(
     units: ResultFile,
     output: Output,
     registration: Annotated[list[Path] | None, typer.Option("--registration", help="Result of register; repeat for several")] = None,
+    frame: Annotated[str, typer.Option("--frame", help="Whether an epoch's cloud may be bent: auto, rigid or elastic")] = "auto",
     quiet: Quiet = False,
     log_file: LogFile = None,
     json_progress: JsonProgress = False,
@@ -199,9 +261,9 @@ def track(
     """Identity, datum and displacements from the fitted units of several epochs."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.epoch_steps import run_track
+        from ..core.pipeline.layer_tracking import run_track
 
-        return run_track(units, registration or [], output, feedback)
+        return run_track(units, registration or [], output, feedback, frame)
 
     _run(quiet, log_file, json_progress, step)
 
@@ -220,7 +282,7 @@ def validate(
     """Feature points less surveyed check points."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.epoch_steps import run_validate
+        from ..core.pipeline.single_steps import run_validate
 
         return run_validate(features, check, picks, epoch, output, feedback)
 
@@ -233,6 +295,7 @@ def export(
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder for one file a layer", show_default=False)],
     formats: Annotated[list[str] | None, typer.Option("--format", help="csv or parquet; repeat for both, which is the default")] = None,
     layers: Annotated[list[str] | None, typer.Option("--layer", help="Layer to write; repeat for several, default all")] = None,
+    separator: Separator = "comma",
     quiet: Quiet = False,
     log_file: LogFile = None,
     json_progress: JsonProgress = False,
@@ -240,9 +303,9 @@ def export(
     """Layers of a result as CSV and GeoParquet."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.export import FORMATS, export_layers
+        from ..core.results.export import FORMATS, export_layers
 
-        return {"output": str(output), "files": len(export_layers(result, output, formats or FORMATS, layers or ()))}
+        return {"output": str(output), "files": len(export_layers(result, output, formats or FORMATS, layers or (), separator))}
 
     _run(quiet, log_file, json_progress, step)
 
@@ -259,7 +322,7 @@ def register_views(
     """Register overlapping views of a depth camera into one cloud."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.epoch_steps import run_register_views
+        from ..core.pipeline.single_steps import run_register_views
 
         return run_register_views(views, output, voxel, feedback)
 
@@ -284,16 +347,29 @@ def simulate(
     gradient: Gradient = None,
     leg_length: LegLength = None,
     opening: Opening = "tetrahedral",
+    castings: Annotated[bool, typer.Option("--castings", help="Units differ from ideal cones as real castings do")] = False,
+    other_views: Annotated[bool, typer.Option("--other-views", help="Later epochs are seen from other lines or stations")] = False,
+    bend: Annotated[float, typer.Option("--bend", min=0, help="Bend of every epoch along the site, metres rms per coordinate")] = 0.0,
+    drift: Annotated[float, typer.Option("--drift", min=0, help="Bend of every strip or station for itself, metres rms")] = 0.0,
+    bowl: Annotated[float, typer.Option("--bowl", min=0, help="Doming of an image block: height error at the site's ends, metres")] = 0.0,
+    wave_lengths: Annotated[
+        tuple[float, float], typer.Option("--wave-lengths", help="Shortest and longest wave of bend and drift, metres")
+    ] = (60.0, 300.0),
+    length: Annotated[float, typer.Option("--length", min=0, help="Coast of this length in metres, of stretches of --units each")] = 0.0,
+    targets_every: Annotated[float, typer.Option("--targets-every", min=0, help="Distance of targets along a coast; 0 for none")] = 24.0,
+    slide: Annotated[float, typer.Option("--slide", min=0, help="Slide of a coast's middle stretch after the first epoch, metres")] = 0.0,
     calibrate: Annotated[str, typer.Option("--calibrate", hidden=True)] = "",
     seed: Seed = 0,
     quiet: Quiet = False,
     log_file: LogFile = None,
     json_progress: JsonProgress = False,
 ) -> None:
-    """Simulate a survey of a pile of units, with ground truth."""
+    """Simulate a survey of a pile of units, or of a coast of many, with ground truth."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.virtual_survey import plan_of, simulate_survey
+        from ..core.simulation.bent_frames import FrameErrors
+        from ..core.simulation.survey_plan import plan_of
+        from ..core.simulation.virtual_survey import simulate_survey
 
         nominal = (
             None
@@ -301,8 +377,11 @@ def simulate(
             else _unit(unit, height, radius, gradient, leg_length, opening)
         )
         plan = plan_of(
-            instrument, name, nominal, units=units, epochs=epochs, seed=seed, density=density or None, noise=noise or None, crs=crs
-        )
+            instrument, name, nominal, units=units, epochs=epochs, seed=seed, density=density or None, noise=noise or None, crs=crs,
+            castings=castings, other_views=other_views,
+            frame=FrameErrors(bend=bend, drift=drift, bowl=bowl, shortest=wave_lengths[0], longest=wave_lengths[1]),
+            length=length, targets_every=targets_every, slide=slide,
+        )  # fmt: skip
         return {"survey": str(simulate_survey(plan, output, feedback.progress))}
 
     _run(quiet, log_file, json_progress, step)
@@ -321,6 +400,15 @@ def plan(
     significance: Annotated[float, typer.Option("--significance", help="Probability of a false alarm for one unit")] = 0.001,
     power: Annotated[float, typer.Option("--power", help="Probability with which the displacement is found")] = 0.8,
     shape_fixed: Annotated[bool, typer.Option("--shape-fixed/--shape-free", help="Radius and gradient are known and held")] = True,
+    coast: Annotated[float, typer.Option("--coast", help="Length of the structure, metres: says how many stations of targets")] = 0.0,
+    limit: Annotated[float, typer.Option("--limit", help="Detection limit wanted against control anywhere on it, metres")] = 0.05,
+    bend: Annotated[float, typer.Option("--bend", help="Bend of an epoch, metres rms per coordinate")] = 0.03,
+    correlation_length: Annotated[
+        float, typer.Option("--correlation-length", help="Distance over which the bend forgets itself, metres (see layer frame_errors)")
+    ] = 35.0,
+    target_sd: Annotated[float, typer.Option("--target-sd", help="Standard deviation of a target in the cloud, metres")] = 0.006,
+    targets: Annotated[int, typer.Option("--targets", min=1, help="Targets of a station")] = 3,
+    curves: Annotated[bool, typer.Option("--curves", help="Also over densities and visible shares, for a chart", hidden=True)] = False,
     unit: UnitName = "tetrapod",
     height: Height = None,
     radius: Radius = None,
@@ -332,21 +420,40 @@ def plan(
     log_file: LogFile = None,
     json_progress: JsonProgress = False,
 ) -> None:
-    """Smallest displacement that a planned survey can detect."""
+    """Smallest displacement that a planned survey can detect, and targets that a long structure needs."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
         import math
 
-        from ..core.errors import InputError
-        from ..core.planning import SurveyPlan, detectability
+        from ..core.adjustment.detectability import SurveyPlan, detectability, detectability_curves
+        from ..core.adjustment.expectation import expected
+        from ..core.common.errors import InputError
+        from ..core.registration.target_spacing import BentSurvey, stations_for
 
         try:
             shape = _unit(unit, height, radius, gradient, leg_length, opening)
-            survey = SurveyPlan(density, noise, visible, systematic, registration, math.radians(tilt), shape_fixed, significance, power)
+            survey = SurveyPlan(
+                density,
+                noise,
+                visible_share=visible,
+                systematic=systematic,
+                registration=registration,
+                tilt=math.radians(tilt),
+                shape_fixed=shape_fixed,
+                significance=significance,
+                power=power,
+            )
             found = detectability(shape, survey)
+            shown = expected(density * shape.height**2, noise / shape.height, shape)
+            drawn = {"curves": detectability_curves(shape, survey)} if curves else {}
         except ValueError as error:
             raise InputError(str(error), remedy="Change the option it names.") from error
-        return {
+        along: dict[str, Any] = {}
+        if coast > 0:
+            bent = BentSurvey(bend=bend, correlation_length=correlation_length, target_sd=target_sd, targets=targets)
+            stations, spacing = stations_for(bent, limit, coast)
+            along = {"stations": stations, "station_spacing": spacing, "detectable_control": bent.detectable(spacing)}
+        numbers = {
             "points": found.points,
             "sd_centre": found.sd_centre,
             "sd_rotation_deg": math.degrees(found.sd_rotation),
@@ -354,7 +461,10 @@ def plan(
             "detectable_worst": found.detectable_worst,
             "detectable_mean": found.detectable_mean,
             "detectable_rotation_deg": math.degrees(found.detectable_rotation),
+            "points_per_square": density * shape.height**2,
+            **dict(zip(("recall_30", "recall_15", "recall_5"), shown.recall, strict=True)),
         }
+        return along | drawn | numbers
 
     _run(quiet, log_file, json_progress, step)
 
@@ -370,8 +480,8 @@ def relief(
     """Shaded relief of every epoch from above, as GeoTIFF."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.relief import run_relief
-        from ..core.survey import read_survey
+        from ..core.data.survey import read_survey
+        from ..core.pipeline.relief import run_relief
 
         return run_relief(read_survey(survey), output, feedback)
 
@@ -386,10 +496,18 @@ def report(
     epoch_to: EpochTo = None,
     datum: Datum = None,
     language: Annotated[str, typer.Option("--language", help="ja, ko, zh-Hans, fr, pt, es; otherwise English")] = "en",
-    axis: Annotated[str, typer.Option("--axis", help="Axis of the structure: easting,northing easting,northing ...")] = "",
+    axis: Axis = "",
     width: Annotated[float | None, typer.Option("--width", help="Length of structure looked at, metres, for N_od")] = None,
     section: Annotated[float | None, typer.Option("--section", help="Length of a section along the axis, metres")] = None,
     worst: Annotated[int, typer.Option("--worst", min=0, help="Units shown one by one")] = 8,
+    step_length: Annotated[float | None, typer.Option("--step", help="Distance of the cross-sections, metres; default 4 H")] = None,
+    bands: Annotated[str, typer.Option("--bands", help="Movement bands: cm (5, 10), dn (0.5, 1 Dn), usace (0.09, 0.30, 0.61 m)")] = "usace",
+    plan: Annotated[str, typer.Option("--plan", help="Placement plan to compare with, as of design")] = "",
+    profile: Annotated[str, typer.Option("--profile", help="Design profile to compare with, as of design")] = "",
+    tolerance: Tolerance = None,
+    turn_tolerance: TurnTolerance = None,
+    profile_tolerance: ProfileTolerance = None,
+    reference: Reference = "outer",
     quiet: Quiet = False,
     log_file: LogFile = None,
     json_progress: JsonProgress = False,
@@ -397,12 +515,126 @@ def report(
     """Report of a reviewed result, as a web page or PDF."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.report import ReportOptions, parse_axis, write_report
+        from ..core.armour.axis import parse_axis
+        from ..core.armour.comparisons import design_of
+        from ..core.report.report import ReportOptions, said_of_fonts, write_report
+        from ..core.report.structure_pages import StructureOptions
 
         line = parse_axis(axis) if axis else None
-        options = ReportOptions(_pair(epoch_from, epoch_to), datum, language, line, width, section, worst)
+        limits = {"tolerance": tolerance, "turn_tolerance": turn_tolerance, "profile_tolerance": profile_tolerance}
+        wanted = design_of(plan=plan, profile=profile, reference=reference, axis=axis, **limits) if plan or profile else None
+        structure = StructureOptions(design=wanted, step=step_length, bands=bands)
+        pair = _pair(epoch_from, epoch_to)
+        options = ReportOptions(
+            pair=pair, datum=datum, language=language, axis=line, width=width, section=section, worst=worst, structure=structure
+        )
         data = write_report(result, output, options)
+        for note in data.notes:
+            feedback.warning(note)
+        said = said_of_fonts(data, language)
+        if said:
+            feedback.warning(said)
         return {"report": str(output), "units": len(data.kept), "rejected": len(data.rejected)}
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def model(
+    result: ResultFile,
+    output: Annotated[Path, typer.Option("--output", "-o", help="File to write: .glb, .obj, .dxf, .ifc or .json", show_default=False)],
+    epoch: Annotated[str | None, typer.Option("--epoch", help="Epoch to show; default the latest with units", show_default=False)] = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """As-built model of one epoch, or its poses (.json)."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.report.model_export import write_model
+
+        written = write_model(result, output, epoch)
+        return {"model": str(output), "units": len(written.units), "epoch": written.epoch}
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def design(
+    result: ResultFile,
+    output: Annotated[Path, typer.Option("--output", "-o", help="GeoPackage to write", show_default=False)],
+    plan: Annotated[str, typer.Option("--plan", help="Placement plan: CSV unit_id,easting,northing,height, or a layer of points")] = "",
+    profile: Annotated[str, typer.Option("--profile", help="Design profile: layer of lines with heights, or DXF")] = "",
+    tolerance: Tolerance = None,
+    turn_tolerance: TurnTolerance = None,
+    profile_tolerance: ProfileTolerance = None,
+    reference: Reference = "outer",
+    axis: Axis = "",
+    epoch: Annotated[str | None, typer.Option("--epoch", help="Epoch to compare; default the latest with units")] = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """As-built units against a placement plan and a design profile."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.armour.comparisons import design_of, write_design_comparison
+        from ..core.results.field_checks import foreign_contents
+
+        limits = {"tolerance": tolerance, "turn_tolerance": turn_tolerance, "profile_tolerance": profile_tolerance}
+        wanted = design_of(plan=plan, profile=profile, reference=reference, axis=axis, **limits)
+        with foreign_contents(result):
+            found = write_design_comparison(result, output, wanted, epoch)
+        return {"output": str(output), "epoch": found.epoch} | found.counts
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def profiles(
+    result: ResultFile,
+    output: Annotated[Path, typer.Option("--output", "-o", help="GeoPackage to write", show_default=False)],
+    step_length: Annotated[float | None, typer.Option("--step", help="Distance of the sections, metres; default 4 H")] = None,
+    profile: Annotated[str, typer.Option("--profile", help="Design profile to draw: layer of lines with heights, or DXF")] = "",
+    axis: Axis = "",
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Cross-sections of all epochs, crest height and width, and settlement along the structure."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.armour.axis import parse_axis
+        from ..core.armour.comparisons import write_profiles
+        from ..core.results.field_checks import foreign_contents
+
+        with foreign_contents(result):
+            found = write_profiles(result, output, axis=parse_axis(axis) if axis else None, step=step_length, profile=profile)
+        if not found.has_points:
+            feedback.warning("sections show no points: there is no index of them beside the result (tetratrack unit-points)")
+        return {"output": str(output), "sections": len(found.planes), "epochs": len(found.epochs)}
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
+def residuals(
+    result: ResultFile,
+    output: Annotated[Path, typer.Option("--output", "-o", help="File to write, .laz or .las", show_default=False)],
+    epoch: Annotated[str | None, typer.Option("--epoch", help="Epoch to show; default the latest with units")] = None,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Points less blocks: the points of unit-points with their distance to the nearest fitted unit, coloured."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.armour.residual_cloud import write_residual_cloud
+        from ..core.results.field_checks import foreign_contents
+
+        with foreign_contents(result):
+            found = write_residual_cloud(result, output, epoch)
+        return {"output": str(output), "points": found.points, "near": found.near, "median": found.median}
 
     _run(quiet, log_file, json_progress, step)
 
@@ -415,6 +647,7 @@ def alarms(
     epoch_from: EpochFrom = None,
     epoch_to: EpochTo = None,
     datum: Datum = None,
+    separator: Separator = "comma",
     quiet: Quiet = False,
     log_file: LogFile = None,
     json_progress: JsonProgress = False,
@@ -422,9 +655,9 @@ def alarms(
     """List of units over a threshold, lost and relocated ones included, rejected ones left out."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.alarms import write_alarms
+        from ..core.report.alarms import write_alarms
 
-        count = write_alarms(result, output, threshold, pair=_pair(epoch_from, epoch_to), datum=datum)
+        count = write_alarms(result, output, threshold, pair=_pair(epoch_from, epoch_to), datum=datum, separator=separator)
         return {"alarms": str(output), "units": count}
 
     _run(quiet, log_file, json_progress, step)
@@ -437,10 +670,12 @@ def unit_points(
     """Index the points around the units of a result, so that the review shows them at once."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.survey import read_survey
-        from ..core.unit_refit import index_unit_points
+        from ..core.data.survey import read_survey
+        from ..core.pipeline.refit import index_unit_points
+        from ..core.results.field_checks import foreign_contents
 
-        return index_unit_points(read_survey(survey), result, feedback)
+        with foreign_contents(result):
+            return index_unit_points(read_survey(survey), result, feedback)
 
     _run(quiet, log_file, json_progress, step)
 
@@ -457,10 +692,12 @@ def label_tiles(
     """Write the tiles again as LAZ with the number of each point's unit in a dimension unit_id."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.labelled_tiles import write_labelled_tiles
-        from ..core.survey import read_survey
+        from ..core.data.survey import read_survey
+        from ..core.pipeline.labelled_tiles import write_labelled_tiles
+        from ..core.results.field_checks import foreign_contents
 
-        return write_labelled_tiles(read_survey(survey), result, folder, feedback)
+        with foreign_contents(result):
+            return write_labelled_tiles(read_survey(survey), result, folder, feedback)
 
     _run(quiet, log_file, json_progress, step)
 
@@ -480,14 +717,16 @@ def refit(
     """Fit one unit again at a place shown, from the points of unit-points, and correct the result."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.errors import InputError
-        from ..core.unit_refit import refit_unit
+        from ..core.common.errors import InputError
+        from ..core.pipeline.refit import refit_unit
+        from ..core.results.field_checks import foreign_contents
 
         try:
             e, n, h = (float(value) for value in near.split(","))
         except ValueError as error:
             raise InputError(f"--near {near!r} is not a place", remedy="Write it as easting,northing,height in metres.") from error
-        return refit_unit(result, unit_id, epoch, (e, n, h), editor=editor, seed=seed)
+        with foreign_contents(result):
+            return refit_unit(result, unit_id, epoch, (e, n, h), editor=editor, seed=seed)
 
     _run(quiet, log_file, json_progress, step)
 
@@ -534,17 +773,35 @@ def watch(
 
 
 @app.command()
+def demo(
+    folder: Annotated[Path, typer.Argument(metavar="[FOLDER]", help="Where the result and its report go")] = Path("demo"),
+    workers: Workers = 0,
+    quiet: Quiet = False,
+    log_file: LogFile = None,
+    json_progress: JsonProgress = False,
+) -> None:
+    """Run the sample survey and write its report, to see what comes out."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from .demo import run_demo
+
+        return run_demo(folder, workers, feedback)
+
+    _run(quiet, log_file, json_progress, step)
+
+
+@app.command()
 def template() -> None:
     """Print a survey.toml to fill in."""
-    from ..core.survey import template as text
+    from ..core.data.survey_keys import template as text
 
     typer.echo(text(), nl=False)
 
 
 def _pair(epoch_from: str | None, epoch_to: str | None) -> EpochPair | None:
     """Epoch pair of two options, both or none."""
-    from ..core.errors import InputError
-    from ..core.result_tables import EpochPair
+    from ..core.common.errors import InputError
+    from ..core.results.geopackage_reader import EpochPair
 
     if epoch_from is None and epoch_to is None:
         return None
@@ -557,7 +814,7 @@ def _unit(
     name: str, height: float | None, radius: float | None, gradient: float | None, leg_length: float | None, opening: str
 ) -> UnitType:
     """Unit type from options, checked as [unit] of survey.toml is."""
-    from ..core.survey import unit_from_keys
+    from ..core.data.survey_keys import unit_from_keys
 
     return unit_from_keys(
         {"type": name, "height": height, "radius": radius, "gradient": gradient, "leg_length": leg_length, "opening": opening}
@@ -574,6 +831,7 @@ def _run_options(workers: int, scheduler: str | None, resume: bool) -> list[str]
 
 def main() -> None:
     """Entry point of the console command."""
+    prepare_process()
     app()
 
 

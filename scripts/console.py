@@ -3,25 +3,36 @@ one sentence."""
 
 from __future__ import annotations
 
+import importlib.util
 import json
+import os
+import re
 import signal
 import sys
 import time
 import traceback
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from types import FrameType
 from typing import Any, TextIO
 
-from ..core.errors import Cancelled, InputError, OutputError, TetratrackError
+from ..core.common.errors import Cancelled, InputError, NoSolutionError, OutputError, TetratrackError
 
 DONE, FAULT, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 PLAIN_SECONDS = 10.0
 """Plain progress lines are at least this far apart, unless a step is finished."""
 JSON_SECONDS = 0.1
+_STEERING = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+"""Control characters but tab and the end of a line."""
+NO_LOGS = (".toml", ".csv", ".gpkg", ".las", ".laz", ".geojson", ".shp")
+"""Endings of inputs and results: a log is never appended to one."""
+FOREIGN = ("PROJ_DATA", "PROJ_LIB", "GDAL_DATA", "GDAL_DRIVER_PATH")
+"""Variables by which other programs place data of their PROJ and GDAL."""
+LINEAR_ALGEBRA = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+"""By which libraries of linear algebra take the number of their threads, when they are loaded."""
 
 
 @dataclass
@@ -36,11 +47,15 @@ class Console:
         File that receives every line with its time, or None.
     json_progress
         JSON objects instead of text.
+    cancelled
+        Ctrl-C, SIGTERM or the parent asked for the end. Mostly KeyboardInterrupt ends the step first; where a library swallowed
+        that, the step hears it here at its next look.
     """
 
     quiet: bool = False
     log_file: Path | None = None
     json_progress: bool = False
+    cancelled: bool = field(default=False, init=False)
     _log: TextIO | None = field(default=None, init=False)
     _bar: Any = field(default=None, init=False)
     _task: Any = field(default=None, init=False)
@@ -76,19 +91,24 @@ class Console:
             self._json(event="result", outputs=outputs)
             return
         self._write_log("result " + json.dumps(outputs))
+        document = outputs.pop("document", None)
+        if document is not None:
+            # nothing else on standard output, so that it can be sent into a file
+            sys.stdout.write(document)
+            return
         table = outputs.pop("table", None)
         if table and not self.quiet:
             widths = {name: max(len(name), *(len(str(row[name])) for row in table)) for name in table[0]}
             for row in [{name: name for name in widths}, *table]:
-                print("  ".join(str(row[name]).ljust(width) for name, width in widths.items()).rstrip())  # noqa: T201
-        print(", ".join(f"{name} {_short(value)}" for name, value in outputs.items()))  # noqa: T201
+                self._print("  ".join(str(row[name]).ljust(width) for name, width in widths.items()).rstrip())
+        self._print(", ".join(f"{name} {_short(value)}" for name, value in outputs.items()))
 
-    def error(self, message: str, remedy: str = "") -> None:
-        """State in one sentence why the run ends."""
+    def error(self, message: str, remedy: str = "", *, passing: bool = False) -> None:
+        """State in one sentence why the run ends; ``passing``: the same input may succeed another time."""
         if self.json_progress:
-            self._json(event="error", message=message, remedy=remedy)
+            self._json(event="error", message=message, remedy=remedy, passing=passing)
         else:
-            print(f"error: {message}", file=sys.stderr)  # noqa: T201
+            self._print(f"error: {message}", sys.stderr)
         self._write_log(f"error {message}")
 
     @contextmanager
@@ -100,9 +120,13 @@ class Console:
         OutputError
             The log file cannot be written.
         """
+        if self.json_progress:
+            _reconfigure(sys.stdout, encoding="utf-8")
         if self.log_file is not None:
+            if self.log_file.suffix.lower() in NO_LOGS:
+                raise OutputError("is no name for a log", source=self.log_file, remedy="Let it end in .log or .txt.")
             try:
-                self._log = self.log_file.open("a", encoding="utf-8")
+                self._log = self.log_file.open("a", encoding="utf-8", errors="backslashreplace")
             except OSError as error:
                 raise OutputError(
                     f"cannot be written ({error.strerror})", source=self.log_file, remedy="Give --log-file another place."
@@ -143,39 +167,72 @@ class Console:
         if self._bar is not None:
             self._bar.console.print(text, markup=False, highlight=False)
         else:
-            print(text, file=sys.stderr)  # noqa: T201
+            self._print(text, sys.stderr)
         self._write_log(text)
 
     def _json(self, **event: Any) -> None:
-        print(json.dumps(event, ensure_ascii=False), flush=True)  # noqa: T201
+        unicode = (sys.stdout.encoding or "").lower().replace("-", "") == "utf8"
+        self._print(json.dumps(event, ensure_ascii=not unicode))
+
+    @staticmethod
+    def _print(text: str, stream: TextIO | None = None) -> None:
+        """Print a line; letters that the stream's code page lacks, and signs that would steer a terminal, are written as their numbers."""
+        target = sys.stdout if stream is None else stream
+        encoding = target.encoding or "utf-8"
+        text = _STEERING.sub(lambda sign: f"\\x{ord(sign[0]):02x}", text)
+        print(text.encode(encoding, "backslashreplace").decode(encoding), file=target, flush=True)
 
     def _write_log(self, text: str) -> None:
-        if self._log is not None:
+        if self._log is None:
+            return
+        # a full disk must not end a run that could be finished
+        with suppress(OSError):
             self._log.write(f"{datetime.now(UTC).isoformat(timespec='seconds')} {text}\n")
             self._log.flush()
 
 
+def prepare_process() -> None:
+    """Make the process independent of its surroundings: letters that a code page lacks are replaced, foreign data of PROJ and GDAL left.
+
+    Other programs (a database, another GIS) set PROJ_DATA and GDAL_DATA for all; their versions do not fit the libraries here, which
+    bring their own. Matrices are solved by one thread, as in the worker processes, unless the user says otherwise: results then do not
+    depend on the number of cores in their last digits, and threads that wait for each other do not take the time of a busy machine.
+    """
+    for name in LINEAR_ALGEBRA:
+        os.environ.setdefault(name, "1")
+    for stream in (sys.stdout, sys.stderr):
+        _reconfigure(stream, errors="replace")
+    if importlib.util.find_spec("pyproj") is not None and any(
+        (Path(folder) / "proj_dir").is_dir() for folder in importlib.util.find_spec("pyproj").submodule_search_locations or ()
+    ):
+        for name in FOREIGN:
+            os.environ.pop(name, None)
+
+
+def _reconfigure(stream: Any, **how: str) -> None:
+    """Change how a stream writes, where it is one that can."""
+    if hasattr(stream, "reconfigure"):
+        stream.reconfigure(**how)
+
+
 def execute(console: Console, step: Callable[[Console], dict[str, Any]]) -> int:
     """Run a step and return the exit code: 0 done, 2 bad input, 130 interrupted, 1 a fault of the program."""
-    before = signal.signal(signal.SIGTERM, _interrupt)
+    before = _interrupts_go_to(console)
     try:
         with console.opened():
             try:
                 outputs = step(console)
-            except InputError as error:
-                console.error(str(error), error.remedy)
-                return BAD_INPUT
             except Cancelled:
                 console.error("cancelled; nothing was written")
                 return INTERRUPTED
             except TetratrackError as error:
-                console.error(str(error))
+                console.error(str(error), error.remedy, passing=not isinstance(error, InputError | NoSolutionError))
                 return BAD_INPUT
             except KeyboardInterrupt:
                 console.error("interrupted; nothing was written")
                 return INTERRUPTED
             except MemoryError:
-                console.error("out of memory. Use fewer --workers")
+                console.error("out of memory. Use fewer --workers", passing=True)
                 return BAD_INPUT
             except Exception as error:
                 console.error(f"fault in tetratrack, please report it with the lines above: {type(error).__name__}: {error}")
@@ -186,13 +243,23 @@ def execute(console: Console, step: Callable[[Console], dict[str, Any]]) -> int:
         console.error(str(error), error.remedy)
         return BAD_INPUT
     finally:
-        signal.signal(signal.SIGTERM, before)
+        for number, handler in before.items():
+            signal.signal(number, handler)
     return DONE
 
 
-def _interrupt(number: int, frame: FrameType | None) -> None:
-    """End on SIGTERM as on Ctrl-C, with temporary files removed."""
-    raise KeyboardInterrupt
+def _interrupts_go_to(console: Console) -> dict[signal.Signals, Any]:
+    """End on SIGTERM as on Ctrl-C, with temporary files removed; the handlers of before.
+
+    Who starts a command with SIGINT ignored (a script in the background) does not want Ctrl-C to reach it.
+    """
+
+    def interrupt(number: int, frame: FrameType | None) -> None:
+        console.cancelled = True
+        raise KeyboardInterrupt
+
+    heard = [number for number in (signal.SIGTERM, signal.SIGINT) if signal.getsignal(number) not in (signal.SIG_IGN, None)]
+    return {number: signal.signal(number, interrupt) for number in heard}
 
 
 def _short(value: Any) -> str:

@@ -6,14 +6,14 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 folder="${1:-demo}"
 setup_system
 setup_engine
-step "sample survey" "run: .venv/bin/tetratrack run tests/data/sample/survey.toml --output $folder/result.gpkg"
-mkdir -p "$folder"
-.venv/bin/tetratrack run tests/data/sample/survey.toml --output "$folder/result.gpkg"
+step "sample survey" "run: .venv/bin/tetratrack demo $folder"
+began=$SECONDS
+.venv/bin/tetratrack demo "$folder"
 cat <<END
 
-Done: $folder/result.gpkg
+Done in $((SECONDS - began)) s (with the set-up $SECONDS s): $folder/result.gpkg
+  look at    $folder/report.html in a browser
   in QGIS    Layer > Add Layer > Add Vector Layer, choose $folder/result.gpkg: styles come with it
   in Python  geopandas.read_file("$folder/result.gpkg", layer="displacements")
-  your own   .venv/bin/tetratrack template > survey.toml, fill it in,
-             .venv/bin/tetratrack run survey.toml --output result.gpkg
+  your own   .venv/bin/tetratrack run FOLDER_OF_TILES --output result.gpkg
 END

@@ -1,7 +1,8 @@
 """Start the engine as a process of its own, whatever this folder is called and whether or not it is installed.
 
 QGIS starts ``python -I scripts/engine.py SUBCOMMAND ... --json-progress`` in the engine's own environment. Standard input is the
-line to the parent: the word ``cancel`` or its end (QGIS closed or crashed) stops the engine with all its workers.
+line to the parent: the word ``cancel`` or its end (QGIS closed or crashed) stops the engine with all its workers. The first line on
+standard output states the engine's version; the plugin's, given by ``--of-plugin``, must be the same.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import os
+import re
 import signal
 import sys
 import threading
@@ -20,6 +22,9 @@ GRACE_SECONDS = 0.8
 CANCELLED_EXIT = 130
 ATTACHED = "--attached"
 """First argument that ties the engine to its parent through standard input."""
+
+OF_PLUGIN = "--of-plugin"
+"""Before the version of the plugin that started this process."""
 
 
 def load_package() -> None:
@@ -54,21 +59,40 @@ def attach() -> None:
     threading.Thread(target=stop_with_parent, daemon=True).start()
 
 
+def say(**event: str) -> None:
+    """One line for the plugin."""
+    sys.stdout.write(json.dumps(event) + "\n")
+    sys.stdout.flush()
+
+
+def agree(plugin: str) -> None:
+    """State the version of these files, and refuse a plugin of another one: they were exchanged while QGIS ran."""
+    stated = re.search(r"^version=(.+)$", (PLUGIN_FOLDER / "metadata.txt").read_text(encoding="utf-8"), re.MULTILINE)
+    version = stated[1].strip() if stated else ""
+    say(event="hello", version=version)
+    if plugin != version:
+        message = f"QGIS runs version {plugin} of the plugin, but its files are of version {version}."
+        say(event="error", message=message, remedy="Restart QGIS.")
+        sys.exit(2)
+
+
 def main(arguments: list[str]) -> None:
     """Run a subcommand of the console command; a library that is missing is an error the user can act on."""
     if arguments[:1] == [ATTACHED]:
         arguments = arguments[1:]
         attach()
+    if arguments[:1] == [OF_PLUGIN]:
+        agree(arguments[1])
+        arguments = arguments[2:]
     sys.argv = [PACKAGE, *arguments]
     try:
         from tetratrack.scripts.cli import main as command
     except ModuleNotFoundError as error:
-        report = {
-            "event": "error",
-            "message": f"The engine's Python environment ({sys.prefix}) lacks the library {error.name}.",
-            "remedy": "Create the environment again in Settings > Options > Tetratrack, or choose another Python there.",
-        }
-        sys.stdout.write(json.dumps(report) + "\n")
+        say(
+            event="error",
+            message=f"The engine's Python environment ({sys.prefix}) lacks the library {error.name}.",
+            remedy="Create the environment again in Settings > Options > Tetratrack, or choose another Python there.",
+        )
         sys.exit(2)
     command()
 

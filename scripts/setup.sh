@@ -51,8 +51,10 @@ apt_install() { # apt_install [-t release] packages...
 
 find_python() { # Debian's own first: an interpreter from elsewhere may lack the shared libraries of a virtual environment
     local candidate
-    for candidate in /usr/bin/python3.11 python3.11 /usr/bin/python3 python3; do
-        if command -v "$candidate" >/dev/null && "$candidate" -c 'import sys, venv, ensurepip; sys.exit(sys.version_info[:2] != (3, 11))' 2>/dev/null; then
+    for candidate in /usr/bin/python3 /usr/bin/python3.11 python3.11 python3.12 python3.13 python3; do
+        # the versions whose files stand in the lock
+        if command -v "$candidate" >/dev/null &&
+            "$candidate" -c 'import sys, venv, ensurepip; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))' 2>/dev/null; then
             command -v "$candidate"
             return 0
         fi
@@ -63,9 +65,20 @@ find_python() { # Debian's own first: an interpreter from elsewhere may lack the
 stamp_of() { cat "$@" | sha256sum | cut -d' ' -f1; }
 
 setup_system() {
-    step "system packages for the engine" "run: apt-get install python3.11-venv libegl1 libgl1 libgomp1 libidn2-0 libpangoft2-1.0-0 libusb-1.0-0 libx11-6"
-    find_python >/dev/null || apt_install python3.11 python3.11-venv
+    step "system packages for the engine" "run: apt-get install python3-venv libegl1 libgl1 libgomp1 libidn2-0 libpangoft2-1.0-0 libusb-1.0-0 libx11-6"
+    find_python >/dev/null || apt_install python3 python3-venv
     apt_install libegl1 libgl1 libgomp1 libidn2-0 libpangoft2-1.0-0 libusb-1.0-0 libx11-6
+}
+
+install_locked() { # every file is checked against its checksum where the lock knows the files of this machine
+    local pip=(.venv/bin/python -m pip install --quiet --disable-pip-version-check)
+    if [ "$(uname -sm)" = "Linux x86_64" ] && ! grep -v '^#' requirements-lock.txt | grep -vq -- '--hash='; then
+        # the lock is complete; pip would not find the checksum of a library that another asks for with extras
+        "${pip[@]}" --require-hashes --no-deps -r requirements-lock.txt
+    else
+        echo "   the lock holds no checksums for this machine: versions are pinned, files are not checked"
+        "${pip[@]}" -r <(sed 's/ --hash=.*//' requirements-lock.txt)
+    fi
 }
 
 setup_engine() {
@@ -78,7 +91,7 @@ setup_engine() {
     fi
     [ -x .venv/bin/python ] || "$(find_python)" -m venv .venv
     echo "   installing pinned libraries; a few minutes the first time"
-    .venv/bin/python -m pip install --quiet --disable-pip-version-check -r requirements-lock.txt
+    install_locked
     .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e . 2>/dev/null
     echo "$stamp" >.venv/tetratrack.stamp
 }

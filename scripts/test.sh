@@ -15,17 +15,19 @@ check() { # check "what" "how to mend it" command...
 }
 
 setup_qgis() {
-    step "QGIS from Debian backports" "run: apt-get install -t bookworm-backports qgis python3-qgis xvfb xauth"
+    local release
+    release="$(. /etc/os-release && echo "$VERSION_CODENAME")"
+    step "QGIS from Debian backports" "run: apt-get install -t $release-backports qgis python3-qgis xvfb xauth"
     if ! installed qgis python3-qgis xvfb xauth python3-venv qttools5-dev-tools; then
         if ! apt-cache policy qgis 2>/dev/null | grep -q backports; then
             # the mirror this machine uses already, whichever it is
             local mirror
-            mirror="$(apt-get indextargets --format '$(SITE) $(CODENAME) $(COMPONENT)' | awk '$2 == "bookworm" && $3 == "main" {print $1; exit}')"
-            echo "deb $mirror bookworm-backports main" | as_root tee /etc/apt/sources.list.d/tetratrack-backports.list >/dev/null
+            mirror="$(apt-get indextargets --format '$(SITE) $(CODENAME) $(COMPONENT)' | awk -v r="$release" '$2 == r && $3 == "main" {print $1; exit}')"
+            echo "deb $mirror $release-backports main" | as_root tee /etc/apt/sources.list.d/tetratrack-backports.list >/dev/null
             apt_updated=false
         fi
         apt_install python3-venv xvfb xauth qttools5-dev-tools
-        apt_install -t bookworm-backports qgis python3-qgis
+        apt_install -t "$release-backports" qgis python3-qgis
     fi
     step "Python environment of the QGIS tests in .venv-qgis" "delete .venv-qgis and run again"
     local stamp
@@ -59,6 +61,10 @@ rm -f "$log"
 if [ "$engine" -ne 0 ]; then failed+=("engine tests (to mend it: $REMEDY)"); fi
 check "coverage of core" "write tests for the lines that .venv/bin/coverage report --show-missing names" \
     .venv/bin/coverage report --fail-under 90 --format total
-for what in "${failed[@]}"; do printf 'failed: %s\n' "$what" >&2; done
 printf '%s\n' "$summary"
-[ ${#failed[@]} -eq 0 ]
+if [ ${#failed[@]} -gt 0 ]; then
+    # the last line names all that failed, whatever was looked at last
+    all="$(printf '; %s' "${failed[@]}")"
+    printf 'failed: %s\n' "${all:2}" >&2
+    exit 1
+fi

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import importlib.util
+import logging
 import os
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -41,14 +43,26 @@ collect_ignore = [] if _has_qgis() else ["qgis"]
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Skip what needs absent data; leave slow tests out unless -m names them."""
+    """Skip what needs absent data; leave slow tests and those of the network out unless -m names them."""
     no_data = pytest.mark.skip(reason=f"no sample surveys at {SHARED / 'data'}")
     too_slow = pytest.mark.skip(reason="slow; run with -m slow")
+    no_network = pytest.mark.skip(reason="asks a package registry; run with -m network")
     for item in items:
         if "shared_data" in item.keywords and not (SHARED / "data").is_dir():
             item.add_marker(no_data)
         if "slow" in item.keywords and "slow" not in (config.option.markexpr or ""):
             item.add_marker(too_slow)
+        if "network" in item.keywords and "network" not in (config.option.markexpr or ""):
+            item.add_marker(no_network)
+
+
+@pytest.fixture(autouse=True)
+def no_unexpected_warning(request: pytest.FixtureRequest, caplog: pytest.LogCaptureFixture) -> Iterator[None]:
+    """A warning that a library logs fails the test, unless the test bears the mark ``logs_warnings``; Python's own warnings are errors."""
+    yield
+    if "logs_warnings" not in request.keywords:
+        said = [f"{record.name}: {record.getMessage()}" for record in caplog.get_records("call") if record.levelno >= logging.WARNING]
+        assert said == [], "mark the test with logs_warnings if it is to be expected"
 
 
 @pytest.fixture(scope="session")
@@ -72,11 +86,13 @@ def tiny(repository: Path) -> Path:
 @pytest.fixture(scope="session")
 def result(tiny: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Result of a whole run on the tiny survey."""
-    from tetratrack.core.feedback import Feedback
-    from tetratrack.core.run_options import RunOptions
-    from tetratrack.core.survey import read_survey
-    from tetratrack.core.workflow import run_survey
+    from tetratrack.core.common.feedback import Feedback
+    from tetratrack.core.data.survey import read_survey
+    from tetratrack.core.pipeline.run_options import RunOptions
+    from tetratrack.core.pipeline.whole_survey import run_survey
 
     path = tmp_path_factory.mktemp("result") / "result.gpkg"
-    run_survey(read_survey(tiny / "survey.toml"), path, RunOptions(workers=1), Feedback())
+    warned: list[str] = []
+    run_survey(read_survey(tiny / "survey.toml"), path, RunOptions(workers=1), Feedback(warning=warned.append))
+    assert warned == [], "nothing is wrong with the tiny survey"
     return path

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from las_files import grid_points, write_las
-from tetratrack.core.errors import InputError
-from tetratrack.core.tiles import inspect_tile, read_points
+from tetratrack.core.common.errors import InputError
+from tetratrack.core.data.tiles import inspect_tile, read_points
 
 MUTATIONS = 500
 SECONDS = 60

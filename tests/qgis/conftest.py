@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import stat
 import sys
 import textwrap
@@ -10,8 +11,22 @@ from pathlib import Path
 
 import pytest
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsProject
-from tetratrack.plugin import engine
-from tetratrack.plugin.provider import TetratrackProvider
+from tetratrack.algorithms.provider import TetratrackProvider
+from tetratrack.algorithms.support import engine
+
+STATUS = pytest.StashKey[int]()
+
+
+def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
+    session.config.stash[STATUS] = int(exitstatus)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure(config: pytest.Config) -> None:
+    # what the tests say is printed; Python then destroys windows in any order, and Qt may end in a segmentation fault in their place
+    if STATUS in config.stash:
+        config.get_terminal_writer().flush()
+        os._exit(config.stash[STATUS])
 
 
 @pytest.fixture(scope="session", autouse=True)

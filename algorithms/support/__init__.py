@@ -1,0 +1,1 @@
+"""What the algorithms share: the engine process, layers, inputs, words."""

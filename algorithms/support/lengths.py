@@ -1,0 +1,54 @@
+"""Lengths in the one unit that the user chose for the project: in tables and plots, on the map and in its legend."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from qgis.core import Qgis, QgsExpressionContextUtils, QgsProject, QgsSettings, QgsUnitTypes
+
+SENSIBLE_DECIMALS = {
+    Qgis.DistanceUnit.Meters: 4,
+    Qgis.DistanceUnit.Centimeters: 2,
+    Qgis.DistanceUnit.Millimeters: 1,
+    Qgis.DistanceUnit.Feet: 4,
+    Qgis.DistanceUnit.Inches: 3,
+}
+"""Units that displacements are stated in, and the most decimals that mean anything in them."""
+FACTOR, UNIT, DECIMALS = "tetratrack_factor", "tetratrack_unit", "tetratrack_decimals"
+"""Variables of the project by which labels and map tips of the shipped styles write lengths."""
+
+
+@dataclass(frozen=True)
+class LengthFormat:
+    """How lengths are written: factor from metres, unit and decimals."""
+
+    factor: float
+    suffix: str
+    decimals: int
+
+    def number(self, metres: float) -> str:
+        """The bare number."""
+        # adding zero turns the negative zero of small values into zero
+        return f"{round(metres * self.factor, self.decimals) + 0.0:.{self.decimals}f}"
+
+    def text(self, metres: float) -> str:
+        """Number and unit."""
+        return f"{self.number(metres)} {self.suffix}"
+
+
+def length_format() -> LengthFormat:
+    """Lengths as the project's distance unit and QGIS's measurement decimals ask; metres where that unit is none for a displacement."""
+    unit = QgsProject.instance().distanceUnits()
+    if unit not in SENSIBLE_DECIMALS:
+        unit = Qgis.DistanceUnit.Meters
+    factor = QgsUnitTypes.fromUnitToUnitFactor(Qgis.DistanceUnit.Meters, unit)
+    decimals = QgsSettings().value("qgis/measure/decimalplaces", 3, type=int)
+    return LengthFormat(factor, QgsUnitTypes.toAbbreviatedString(unit), max(0, min(int(decimals), SENSIBLE_DECIMALS[unit])))
+
+
+def write_project_lengths(project: QgsProject) -> None:
+    """Tell the project's labels and map tips in which unit it states lengths."""
+    lengths = length_format()
+    for name, value in ((FACTOR, lengths.factor), (UNIT, lengths.suffix), (DECIMALS, lengths.decimals)):
+        if QgsExpressionContextUtils.projectScope(project).variable(name) != value:
+            QgsExpressionContextUtils.setProjectVariable(project, name, value)

@@ -1,0 +1,1 @@
+"""What a checkout measures; never part of the product."""

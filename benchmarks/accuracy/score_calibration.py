@@ -1,0 +1,128 @@
+"""Fit and check the score of the segmentation on simulated surveys.
+
+    .venv/bin/tetratrack simulate …            # write some surveys with truth, of several kinds and seeds, rock without units too
+    .venv/bin/python benchmarks/accuracy/score_calibration.py --fit SURVEY… --check SURVEY…
+
+Prints the weights to put into ``core/segmentation.py`` and, for both sets, how often poses of a stated score are right. Units with
+less than 5 % of their surface seen, and poses whose twist no leg determines, count neither way.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import tomllib
+from itertools import pairwise
+from pathlib import Path
+
+import laspy
+import numpy as np
+from scipy.optimize import minimize
+from scipy.spatial.transform import Rotation
+from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.segmentation.segment import judge_poses, score_features
+
+RIGHT_CENTRE, RIGHT_ANGLE = 0.2, np.radians(15)
+"""A pose is right within this share of the height and this angle, of the nearest truth; registration errors are far below both."""
+
+
+def survey_rows(folder: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Features (n, 6), whether each pose is right (n,), and certainty of its twist (n,), over all epochs of a survey."""
+    settings = tomllib.loads((folder / "survey.toml").read_text())
+    unit = UnitType.tetrapod(**{k: v for k, v in settings["unit"].items() if k in ("height", "radius", "gradient", "leg_length")})
+    features, right, certainty = [], [], []
+    for epoch in settings["epoch"]:
+        cloud = np.vstack([laspy.read(tile).xyz for tile in sorted(folder.glob(epoch["tiles"]))])
+        origin = np.floor(cloud.mean(axis=0))
+        judged = judge_poses(cloud - origin, unit)
+        truth = _truth(folder, str(epoch["label"]))
+        taken: set[int] = set()
+        order = np.argsort(-judged.evidence.support)
+        for k in order:
+            verdict = _verdict(judged.poses[k], origin, truth, unit, taken)
+            if verdict is not None:
+                features.append(score_features(judged.evidence[k], judged.tolerance, judged.typical)[0])
+                right.append(verdict)
+                certainty.append(judged.certainty[k])
+    return np.array(features).reshape(-1, 6), np.array(right, dtype=bool), np.array(certainty)
+
+
+def _truth(folder: Path, label: str) -> list[tuple[np.ndarray, np.ndarray, float]]:
+    with open(folder / "truth" / "units.csv", newline="") as handle:
+        rows = [r for r in csv.DictReader(handle) if r["epoch"] == label and r["status"] != "removed"]
+    return [
+        (
+            np.array([float(r[k]) for k in "ENH"]),
+            Rotation.from_quat([float(r[k]) for k in ("qx", "qy", "qz", "qw")]).as_matrix(),
+            float(r["visible_area_fraction"]),
+        )
+        for r in rows
+    ]
+
+
+def _verdict(pose: np.ndarray, origin: np.ndarray, truth: list, unit: UnitType, taken: set[int]) -> bool | None:
+    """Right, wrong, or None where it counts neither way; a second pose of one unit is wrong."""
+    if not truth:
+        return False
+    away = [float(np.linalg.norm(pose[:3] + origin - centre)) for centre, _, _ in truth]
+    k = int(np.argmin(away))
+    _, rotation, visible = truth[k]
+    if away[k] > RIGHT_CENTRE * unit.height:
+        return False
+    if visible < 0.05:
+        return None
+    turns = np.einsum("ij,sjk,lk->sil", pose[3:].reshape(3, 3), unit.symmetries, rotation)
+    angle = float(np.arccos(np.clip((np.trace(turns, axis1=1, axis2=2).max() - 1) / 2, -1, 1)))
+    if angle > RIGHT_ANGLE or k in taken:
+        return False
+    taken.add(k)
+    return True
+
+
+def fit(features: np.ndarray, right: np.ndarray, *, wrong_weight: float = 2.0) -> np.ndarray:
+    """(7,) intercept and weights of the logistic model with unit ridge; a wrong unit taken for right weighs twice."""
+    middle, spread = features.mean(axis=0), features.std(axis=0)
+    x = np.column_stack([np.ones(len(features)), (features - middle) / spread])
+    sign = np.where(right, 1.0, -1.0)
+    weight = np.where(right, 1.0, wrong_weight)
+    loss = lambda w: float(np.sum(weight * np.logaddexp(0, -sign * (x @ w)))) + 0.5 * float(w[1:] @ w[1:])  # noqa: E731
+    scaled = minimize(loss, np.zeros(x.shape[1]), method="BFGS").x
+    weights = scaled[1:] / spread
+    return np.concatenate([[scaled[0] - weights @ middle], weights])
+
+
+def report(name: str, model: np.ndarray, features: np.ndarray, right: np.ndarray) -> None:
+    """Print how many poses of each range of scores are right."""
+    score = 1 / (1 + np.exp(-(model[0] + features @ model[1:])))
+    print(f"{name}: {len(score)} poses, {int(right.sum())} right")
+    edges = (0.0, 0.05, 0.2, 0.5, 0.65, 0.8, 0.95, 1.0001)
+    for low, high in pairwise(edges):
+        inside = (score >= low) & (score < high)
+        if inside.any():
+            print(f"  score {low:.2f}-{min(high, 1):.2f}: {int(right[inside].sum())} of {int(inside.sum())} right")
+    stated = score >= 0.5
+    print(f"  score >= 0.5: {int(right[stated].sum())} of {int(stated.sum())} right")
+
+
+def gathered(folders: list[Path]) -> tuple[np.ndarray, np.ndarray]:
+    """Features and verdicts of several surveys, poses of undetermined twist left out."""
+    parts = [survey_rows(folder) for folder in folders]
+    features, right, certainty = (np.concatenate([p[i] for p in parts]) for i in range(3))
+    return features[certainty > 0.6], right[certainty > 0.6]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--fit", nargs="+", type=Path, required=True, metavar="SURVEY", help="folders to fit the weights to")
+    parser.add_argument("--check", nargs="*", type=Path, default=[], metavar="SURVEY", help="folders to check them on")
+    arguments = parser.parse_args()
+    features, right = gathered(arguments.fit)
+    model = fit(features, right)
+    print("SCORE_WEIGHTS =", tuple(round(float(w), 2) for w in model[1:]), " SCORE_INTERCEPT =", round(float(model[0]), 2))
+    report("fitted", model, features, right)
+    if arguments.check:
+        report("checked", model, *gathered(arguments.check))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,104 @@
+"""One step of the adjustment: the normal equations solved and applied."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..common.arrays import BoolArray, FloatArray
+from ..common.kernels import kernel
+from .adjustment_state import Prior, UnitState
+from .condition_records import NormalEquations
+
+DETERMINED = 0.5
+"""A direction in parameter space counts as determined if its standard deviation is below this, in radians or leg lengths."""
+
+
+class Step(NamedTuple):
+    """Squared length of a step in standard deviations, and (12,) what it changed."""
+
+    gain: float
+    change: FloatArray
+
+
+@kernel()
+def _turned(rotation: Any, vector: Any) -> Any:
+    """rotation @ exp([vector]x), by Rodrigues' formula."""
+    x, y, z = vector[0], vector[1], vector[2]
+    angle = math.sqrt(x * x + y * y + z * z)
+    # sin(a)/a and (1 - cos a)/a^2 without loss of digits for small angles
+    first = math.sin(angle) / angle if angle > 1e-6 else 1.0 - angle * angle / 6.0
+    half = math.sin(0.5 * angle) / (0.5 * angle) if angle > 1e-6 else 1.0 - angle * angle / 24.0
+    second = 0.5 * half * half
+    cross = np.array(((0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0)))
+    turn = np.eye(3) + first * cross + second * (cross @ cross)
+    return rotation @ turn
+
+
+@kernel()
+def _step(normal: Any, rhs: Any, free: Any, prior: Any, state: Any, change: Any) -> Any:
+    """Make one Gauss-Newton step in place, no longer than a leg's width and kept in ``change``; returns its squared length in standard
+    deviations.
+
+    The equations are damped at what counts as undetermined: that only holds still what the points do not determine, and has no effect at
+    convergence. Scaled so, they are positive definite, and are solved by Cholesky's factors.
+    """
+    nominal, prior_weights, scaling = prior.nominal, prior.weights, prior.scaling
+    centre, rotation, shape, leg_errors = state.centre, state.rotation, state.shape, state.leg_errors
+    chosen = np.flatnonzero(free)
+    m = len(chosen)
+    factor = np.zeros((m, m))
+    along, inner = np.zeros(m), np.zeros(m)
+    for a in range(m):
+        p = chosen[a]
+        value = rhs[p]
+        if 6 <= p < 8:
+            value += prior_weights[p] * (nominal[p - 6] - shape[p - 6])
+        elif p >= 8:
+            value -= prior_weights[p] * leg_errors[p - 8]
+        along[a] = scaling[p] * value
+        inner[a] = along[a]
+        for b in range(a + 1):
+            q = chosen[b]
+            total = normal[p, q] * scaling[p] * scaling[q]
+            if a == b:
+                total += prior_weights[p] * scaling[p] * scaling[p] + 1.0 / DETERMINED**2
+            for k in range(b):
+                total -= factor[a, k] * factor[b, k]
+            factor[a, b] = math.sqrt(total) if a == b else total / factor[b, b]
+        for k in range(a):
+            inner[a] -= factor[a, k] * inner[k]
+        inner[a] /= factor[a, a]
+    gain = 0.0
+    for a in range(m - 1, -1, -1):
+        for k in range(a + 1, m):
+            inner[a] -= factor[k, a] * inner[k]
+        inner[a] /= factor[a, a]
+        gain += along[a] * inner[a]
+    change[:] = 0.0
+    change[chosen] = scaling[chosen] * inner
+    longest = max(
+        math.sqrt(change[0] ** 2 + change[1] ** 2 + change[2] ** 2) / (0.25 * nominal[0]),
+        math.sqrt(change[3] ** 2 + change[4] ** 2 + change[5] ** 2) / 0.15,
+        abs(change[6]) / (0.1 * nominal[0]),
+        abs(change[7]) / 0.05,
+        1.0,
+    )
+    change /= longest
+    centre += rotation @ change[:3]
+    rotation[:, :] = _turned(rotation, change[3:6])
+    shape += change[6:8]
+    # a cone that closes before the end of its leg has no meaning
+    shape[0] = max(shape[0], 0.2 * nominal[0])
+    shape[1] = min(max(shape[1], 0.0), 0.95 * shape[0] / prior.leg_length)
+    leg_errors += change[8:]
+    return gain
+
+
+def make_step(equations: NormalEquations, free: BoolArray, prior: Prior, state: UnitState) -> Step:
+    """Make one Gauss-Newton step in the (12,) ``free`` unknowns: the arrays of ``state`` change."""
+    change = np.empty(12)
+    gain: float = _step(equations.normal, equations.rhs, free, prior, state, change)
+    return Step(gain, change)

@@ -1,0 +1,120 @@
+"""Points less blocks: the cloud of an epoch with each point's distance to the nearest fitted unit, as LAZ."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..common.arrays import FloatArray, IntArray
+from ..common.atomic_files import write_whole
+from ..common.errors import InputError, OutputError
+from ..common.output_files import check_targets
+from ..model.tetrapod import relate
+from ..results.geopackage_reader import ResultCrs
+from ..review.point_index import PointIndex, index_folder
+from .as_built import AsBuilt, read_as_built
+from .contacts import reach_of
+
+FULL_COLOUR = 0.10
+"""Distance in metres at which the colours end."""
+FAR = 10.0
+"""Distance in metres written for points near no unit."""
+INSIDE, ON, OUTSIDE = (33, 102, 172), (247, 247, 247), (178, 24, 43)
+"""Colours inside a body, on its surface and outside: the diverging scale RdBu of ColorBrewer, readable by the colour-blind."""
+SCALE = 1e-3
+
+
+@dataclass(frozen=True, kw_only=True)
+class ResidualCloud:
+    """What was written: points, those nearer than 5 cm to a unit, and the median absolute distance of these, metres."""
+
+    points: int
+    near: int
+    median: float
+
+
+def write_residual_cloud(result: Path, output: Path, epoch: str | None = None) -> ResidualCloud:
+    """Write the points around the units of an epoch with the dimensions ``distance`` (metres, positive outside) and ``unit`` (its place in
+    the list of units by name, 0 for none), coloured by distance: blue within a body, white on it, red outside.
+
+    Points are those of the index beside the result (``tetratrack unit-points``), in the control frame.
+
+    Raises
+    ------
+    InputError
+        The result cannot be read, has no such epoch, or no index of points.
+    OutputError
+        The file cannot be written.
+    """
+    if output.suffix.lower() not in (".laz", ".las"):
+        raise OutputError("cannot be written in that form", source=output, remedy="End the name in .laz or .las.")
+    if not output.parent.is_dir():
+        raise OutputError("cannot be written (its folder does not exist)", source=output, remedy="Choose a folder that exists.")
+    check_targets([(output, "the points")], [result])
+    model = read_as_built(result, epoch)
+    index = PointIndex(index_folder(result))
+    if model.epoch not in index.epochs:
+        raise InputError(f"holds no points of {model.epoch}", source=index.folder, remedy="Build it again with tetratrack unit-points.")
+    parts = [(points, *distances(points, model)) for points in index.clouds(model.epoch)]
+    points = np.vstack([np.empty((0, 3)), *(part for part, _, _ in parts)])
+    distance = np.concatenate([np.empty(0), *(part for _, part, _ in parts)])
+    number = np.concatenate([np.empty(0, dtype=np.int64), *(part for _, _, part in parts)])
+    write_whole(output, _las(points, distance, number, model.crs, compressed=output.suffix.lower() == ".laz"))
+    near = np.abs(distance) < 0.05
+    return ResidualCloud(
+        points=len(points), near=int(near.sum()), median=float(np.median(np.abs(distance[near]))) if near.any() else float("nan")
+    )
+
+
+def distances(points: FloatArray, model: AsBuilt) -> tuple[FloatArray, IntArray]:
+    """(n,) distance of points (n, 3) to the nearest unit, metres, positive outside (``FAR`` where none is near), and its number from 1."""
+    from scipy.spatial import cKDTree
+
+    distance, number = np.full(len(points), FAR), np.zeros(len(points), dtype=np.int64)
+    if not len(points):
+        return distance, number
+    reduced = points - model.offset
+    tree = cKDTree(reduced)
+    for k, unit in enumerate(model.units, start=1):
+        own = np.array(tree.query_ball_point(unit.shape.centre - model.offset, reach_of(unit.shape) + 0.5), dtype=np.int64)
+        if not len(own):
+            continue
+        body = (points[own] - unit.shape.centre) @ unit.shape.rotation
+        kind = model.solids[unit.solid].unit.with_shape(unit.shape.radius, unit.shape.gradient)
+        found = relate(body, kind).distance
+        # deep within one body counts more than just outside of another
+        nearer = np.abs(found) < np.abs(distance[own])
+        distance[own[nearer]], number[own[nearer]] = found[nearer], k
+    return distance, number
+
+
+def colours(distance: FloatArray) -> FloatArray:
+    """(n, 3) red, green, blue, 0 to 255, of distances in metres."""
+    share = np.clip(np.abs(distance) / FULL_COLOUR, 0, 1)[:, None]
+    end = np.where((distance < 0)[:, None], np.array(INSIDE), np.array(OUTSIDE))
+    return np.asarray(np.round((1 - share) * np.array(ON) + share * end))
+
+
+def _las(points: FloatArray, distance: FloatArray, number: IntArray, crs: ResultCrs, *, compressed: bool) -> bytes:
+    import io
+
+    import laspy
+
+    header = laspy.LasHeader(point_format=7, version="1.4")
+    header.scales = np.full(3, SCALE)
+    header.offsets = np.floor(points.min(axis=0)) if len(points) else np.zeros(3)
+    header.add_extra_dim(laspy.ExtraBytesParams(name="distance", type=np.float32, description="to the nearest unit, metres"))
+    header.add_extra_dim(laspy.ExtraBytesParams(name="unit", type=np.uint32, description="number of that unit, 0: none"))
+    if crs.epsg is not None:
+        from ..data.crs import parse_crs
+
+        header.add_crs(parse_crs(f"EPSG:{crs.epsg}"))
+    cloud = laspy.LasData(header)
+    cloud.x, cloud.y, cloud.z = points.T
+    cloud.distance, cloud.unit = distance.astype(np.float32), number.astype(np.uint32)
+    cloud.red, cloud.green, cloud.blue = (257 * colours(distance)).astype(np.uint16).T
+    stream = io.BytesIO()
+    cloud.write(stream, do_compress=compressed)
+    return stream.getvalue()

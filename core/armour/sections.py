@@ -1,0 +1,204 @@
+"""Cross-sections of the armour by chainage, its crest, and settlement along it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..common.arrays import FloatArray
+from ..model.facets import facets, plan_outline
+from ..model.outline import VOLUME_RATIO, PlacedShape
+from ..results.geopackage_reader import Row
+from ..results.unit_rows import Z_95
+from .as_built import AsBuilt, BuiltUnit
+from .axis import Axis
+from .contacts import reach_of
+from .design_surface import DesignSurface, support
+
+CREST_DIAMETERS = 0.5
+"""Units whose top lies less than this below the highest one of a reach are its crest, nominal diameters."""
+POINT_STEP = 0.10
+"""Metres along a section for which one height of the points is stated."""
+POINT_SHARE = 0.95
+"""Quantile of the points' heights that stands for the surface: the highest points are spray and birds."""
+DESIGN_STEP = 0.25
+UP = np.array([0.0, 0.0, 1.0])
+
+
+@dataclass(frozen=True, eq=False)
+class CutPlane:
+    """A vertical plane across the axis: place (2,) on the axis, unit vector (2,) along it, and chainage, metres."""
+
+    place: FloatArray
+    heading: FloatArray
+    along: float
+
+    @property
+    def left(self) -> FloatArray:
+        """(2,) unit vector across the axis, to the left."""
+        return np.array([-self.heading[1], self.heading[0]])
+
+    def at(self, offset: FloatArray, height: FloatArray) -> FloatArray:
+        """(n, 3) places in the CRS of offsets from the axis and heights."""
+        return np.column_stack([self.place + offset[:, None] * self.left, height])
+
+
+def cut_planes(axis: Axis, places: FloatArray, step: float) -> list[CutPlane]:
+    """Planes every ``step`` metres along the axis, in the middles of reaches from the first unit to the last."""
+    along = axis.locate(places)[0]
+    count = max(1, math.ceil((float(along.max()) - float(along.min())) / step - 1e-9))
+    begin = float(along.min())
+    return [CutPlane(*axis.frame(begin + (k + 0.5) * step), begin + (k + 0.5) * step) for k in range(count)]
+
+
+def cut_body(shape: PlacedShape, plane: CutPlane, sides: int = 24) -> list[FloatArray]:
+    """Closed curves (n, 3) in which a plane cuts a unit, CRS; () where it does not."""
+    corners, lateral, ends = facets(shape, sides).welded()
+    corners = corners @ shape.rotation.T + shape.centre
+    height = (corners[:, :2] - plane.place) @ plane.heading
+    # a corner on the plane itself would be cut twice
+    height = np.where(np.abs(height) < 1e-9, 1e-9, height)
+    following: dict[tuple[int, int], tuple[int, int]] = {}
+    for face in [*lateral.tolist(), *ends.tolist()]:
+        around = [(a, b) for a, b in zip(face, face[1:] + face[:1], strict=True) if a != b and (height[a] > 0) != (height[b] > 0)]
+        # faces are convex: one edge leads into the half space before the plane, and one out of it
+        if len(around) == 2:
+            into, out = around if height[around[0][0]] < 0 else around[::-1]
+            following[_edge(into)] = _edge(out)
+    curves = []
+    while following:
+        first, edge = following.popitem()
+        ring = [first]
+        while edge != first and edge in following:
+            ring.append(edge)
+            edge = following.pop(edge)
+        share = np.array([height[a] / (height[a] - height[b]) for a, b in ring])
+        places = corners[[a for a, _ in ring]] + share[:, None] * (corners[[b for _, b in ring]] - corners[[a for a, _ in ring]])
+        curves.append(np.vstack([places, places[:1]]))
+    return curves
+
+
+def section_rows(
+    models: Sequence[AsBuilt], planes: Sequence[CutPlane], clouds: Mapping[str, Sequence[FloatArray]], design: DesignSurface | None
+) -> list[dict[str, Any]]:
+    """Rows of ``sections``: blocks and points of every epoch, and the design.
+
+    Parameters
+    ----------
+    models
+        Units of every epoch.
+    planes
+        Where to cut.
+    clouds
+        By epoch, points (n, 3) near each plane; epochs without points are left out.
+    design
+        Surface of the design profile, if there is one.
+    """
+    rows = []
+    reach = max((reach_of(unit.shape) for model in models for unit in model.units), default=1.0)
+    for number, plane in enumerate(planes, start=1):
+        base = {"section": number, "along": plane.along}
+        offsets: list[float] = []
+        for model in models:
+            for unit in model.units:
+                if abs(float((unit.shape.centre[:2] - plane.place) @ plane.heading)) > reach:
+                    continue
+                for curve in cut_body(unit.shape, plane):
+                    rows.append(base | {"geometry": curve, "kind": "blocks", "unit_id": unit.unit_id, "epoch": model.epoch})
+                    offsets += ((curve[:, :2] - plane.place) @ plane.left).tolist()
+        if not offsets:
+            continue
+        for epoch, points in clouds.items():
+            for line in _point_lines(points[number - 1], plane, min(offsets), max(offsets)):
+                rows.append(base | {"geometry": line, "kind": "points", "epoch": epoch})
+        if design is not None:
+            across = np.arange(min(offsets), max(offsets) + DESIGN_STEP, DESIGN_STEP)
+            line = plane.at(across, design.heights(plane.at(across, np.zeros(len(across)))))
+            line = line[np.isfinite(line[:, 2])]
+            if len(line) > 1:
+                rows.append(base | {"geometry": line, "kind": "design"})
+    return rows
+
+
+def crest_rows(models: Sequence[AsBuilt], axis: Axis, planes: Sequence[CutPlane], step: float) -> list[dict[str, Any]]:
+    """Rows of ``crest``: height and width of the crest in the reach about every plane and epoch, and its change since the epoch before."""
+    rows = []
+    for number, plane in enumerate(planes, start=1):
+        before: dict[str, tuple[float, float]] = {}
+        for model in models:
+            along = axis.locate(np.array([unit.shape.centre for unit in model.units]))[0]
+            own = [unit for unit, a in zip(model.units, along, strict=True) if abs(a - plane.along) <= step / 2 + 1e-9]
+            if not own:
+                before = {}
+                continue
+            tops = np.array([unit.shape.centre[2] + support(unit.shape, UP) for unit in own])
+            limit = tops.max() - CREST_DIAMETERS * VOLUME_RATIO ** (1 / 3) * float(own[0].row["height"])
+            crest = [(unit, float(top)) for unit, top in zip(own, tops, strict=True) if top >= limit]
+            rows.append({"section": number, "along": plane.along, "epoch": model.epoch} | _crest(crest, axis, plane, before))
+            before = {unit.unit_id: (top, float(unit.row.get("sd_h") or 0.0)) for unit, top in crest}
+    return rows
+
+
+def settlement_rows(stretches: Sequence[Row], axis: Axis, places: FloatArray) -> list[dict[str, Any]]:
+    """Rows of ``settlement`` from those of ``stretches``: each drawn as the part of the axis that its chainage covers."""
+    along = axis.locate(places)[0]
+    start, level = float(along.min()), float(places[:, 2].max())
+    rows = []
+    for row in stretches:
+        ends = [axis.frame(start + float(row[name]))[0] for name in ("along_from", "along_to")]
+        half = Z_95 * float(row["sd_h"])
+        names = ("epoch_from", "epoch_to", "datum", "along_from", "along_to", "units", "dh", "significant")
+        rows.append(
+            {name: row[name] for name in names}
+            | {
+                "geometry": np.column_stack([np.array(ends), np.full(2, level)]),
+                "low": float(row["dh"]) - half,
+                "high": float(row["dh"]) + half,
+            }
+        )
+    return rows
+
+
+def _crest(
+    crest: Sequence[tuple[BuiltUnit, float]], axis: Axis, plane: CutPlane, before: Mapping[str, tuple[float, float]]
+) -> dict[str, Any]:
+    tops = np.array([top for _, top in crest])
+    sds = np.array([float(unit.row.get("sd_h") or 0.0) for unit, _ in crest])
+    across = np.concatenate([axis.locate(plan_outline(unit.shape))[1] for unit, _ in crest])
+    middle = (float(across.min()) + float(across.max())) / 2
+    same = [(top, sd, before[unit.unit_id]) for (unit, top), sd in zip(crest, sds, strict=True) if unit.unit_id in before]
+    return {
+        "geometry": np.append(plane.place + middle * plane.left, tops.mean()),
+        "units": len(crest),
+        "crest_height": float(tops.mean()),
+        "crest_highest": float(tops.max()),
+        "crest_width": float(across.max() - across.min()),
+        "sd": float(np.sqrt(np.sum(sds**2)) / len(sds)),
+        "change": float(np.mean([top - earlier for top, _, (earlier, _) in same])) if same else None,
+        "sd_change": math.sqrt(sum(sd**2 + sd_before**2 for _, sd, (_, sd_before) in same)) / len(same) if same else None,
+    }
+
+
+def _point_lines(points: FloatArray, plane: CutPlane, low: float, high: float) -> list[FloatArray]:
+    """Lines (n, 3) of the surface of points near a plane, broken where there are none for more than half a metre."""
+    offset = (points[:, :2] - plane.place) @ plane.left
+    kept = (offset >= low) & (offset <= high)
+    offset, height = offset[kept], points[kept, 2]
+    if not len(offset):
+        return []
+    slot = np.floor((offset - low) / POINT_STEP).astype(np.int64)
+    order = np.argsort(slot, kind="stable")
+    slots, starts = np.unique(slot[order], return_index=True)
+    tops = np.array([np.quantile(part, POINT_SHARE) for part in np.split(height[order], starts[1:])])
+    across = low + (slots + 0.5) * POINT_STEP
+    breaks = np.flatnonzero(np.diff(across) > 0.5) + 1
+    lines = [plane.at(a, h) for a, h in zip(np.split(across, breaks), np.split(tops, breaks), strict=True)]
+    return [line for line in lines if len(line) > 1]
+
+
+def _edge(pair: tuple[int, int]) -> tuple[int, int]:
+    return (min(pair), max(pair))

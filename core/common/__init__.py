@@ -1,0 +1,1 @@
+"""What every package of core uses; knows nothing of tetrapods."""

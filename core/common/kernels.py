@@ -1,0 +1,50 @@
+"""How the loops over points are compiled.
+
+Arrays in a compiled loop are made from tuples, ``np.array((x, y, z))``, never from lists: numba (0.68.1) rewrites lists in different
+branches under the same names, and then fails to compile, or not, by what else the process has compiled before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, TypeVar, cast
+
+import numba
+
+from .compiled_code import choose_folder, keep_compiled
+
+Function = TypeVar("Function", bound=Callable[..., object])
+
+COMPILED: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
+"""How all kernels are compiled: sums may be taken in another order, so that they run in vector registers; what is not finite stays
+so."""
+
+choose_folder()
+
+
+def kernel(*, parallel: bool = False, makes_arrays: bool = True) -> Callable[[Function], Function]:
+    """Decorator of a loop compiled as ``COMPILED`` says.
+
+    Parameters
+    ----------
+    parallel
+        Spread over threads; every pass of its ``prange`` must have its own output.
+    makes_arrays
+        False for a loop that takes named tuples of arrays: numba counts a reference wherever an array is taken out of a tuple, which can
+        take longer than the work itself. Without counting a loop can make no arrays; they are passed to it.
+    """
+    options = COMPILED if makes_arrays else COMPILED | {"_nrt": False}
+    compiled = numba.njit(parallel=parallel, **options)
+    return cast(Callable[[Function], Function], lambda function: keep_compiled(compiled(function)))
+
+
+@contextmanager
+def threads_of_kernels(count: int) -> Iterator[None]:
+    """Let parallel kernels use at most ``count`` threads meanwhile."""
+    before = numba.get_num_threads()
+    numba.set_num_threads(min(count, before))
+    try:
+        yield
+    finally:
+        numba.set_num_threads(before)

@@ -1,0 +1,52 @@
+"""Outputs compared with inputs before anything is written: none may eat another."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from .errors import OutputError
+from .paths import RESERVED, spelling
+
+
+def check_targets(targets: Iterable[tuple[Path, str]], inputs: Iterable[Path] = ()) -> None:
+    """Refuse to write a file that is one of the inputs, or two outputs of one name.
+
+    Parameters
+    ----------
+    targets
+        File to be written, and what it is made of, for the message.
+    inputs
+        Files that are read; those that do not exist do not matter.
+
+    Raises
+    ------
+    OutputError
+        Before anything is written.
+    """
+    read = {_identity(path): path for path in inputs if path.exists()}
+    made: dict[str, str] = {}
+    for target, origin in targets:
+        if target.exists() and _identity(target) in read:
+            raise OutputError(
+                "is one of the inputs and would be overwritten", source=target, remedy="Choose another folder or name for the output."
+            )
+        name = spelling(target)
+        if name in made:
+            raise OutputError(f"would be written twice, for {made[name]} and for {origin}", source=target, remedy="Rename one of the two.")
+        made[name] = origin
+
+
+def _identity(path: Path) -> tuple[int, int] | str:
+    """What tells whether two paths are one file, by links too."""
+    state = path.stat()
+    return (state.st_dev, state.st_ino) if state.st_ino else os.path.normcase(path.resolve())
+
+
+def safe_name(label: str) -> str:
+    """A label of an epoch as part of a file's name: letters of all scripts and digits stay, other signs become a dash, names of
+    devices on Windows get one."""
+    name = re.sub(r"[^\w.-]+", "-", label).strip(".") or "-"
+    return f"{name}-" if name.split(".")[0].lower() in RESERVED else name

@@ -1,0 +1,1 @@
+"""What the user gives: survey, CRS, tiles, tables of points, trajectories."""

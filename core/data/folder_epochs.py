@@ -1,0 +1,293 @@
+"""Epochs of a folder of tiles: what belongs together, and when it was measured, from names, GPS times and headers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from datetime import UTC, date, datetime, time, timedelta
+from itertools import pairwise
+from pathlib import Path
+
+from ..common.errors import InputError
+from .dates_in_names import DAY, NamedDate, date_in_name
+from .tile_dates import TileDates, tile_dates
+from .tiles import TileInfo, inspect_tile
+
+ENDINGS = (".las", ".laz")
+"""Endings of point clouds, in any case; COPC ends in .copc.laz."""
+SAME_GROUND = 0.5
+"""Share of the smaller extent that two groups of tiles must have in common to be two looks at the same ground."""
+ONE_EPOCH_DAYS = 2
+"""Tiles without dates in their names whose GPS times lie closer than this are one epoch."""
+NOON = time(12, tzinfo=UTC)
+
+
+@dataclass(frozen=True)
+class FoundTile:
+    """A tile with what tells its epoch.
+
+    Attributes
+    ----------
+    info
+        Header, extent in the tile's own CRS.
+    dates
+        When it was measured and made.
+    named
+        Date in the name of its folder, or of the file; None where there is none.
+    place
+        Folder, or file, whose name holds that date; else the folder the tile lies in.
+    """
+
+    info: TileInfo
+    dates: TileDates
+    named: NamedDate | None
+    place: Path
+
+
+@dataclass(frozen=True)
+class FoundEpoch:
+    """Tiles that make one epoch.
+
+    Attributes
+    ----------
+    label, time
+        As they go into survey.toml.
+    tiles
+        Sorted by path.
+    reason
+        What label and time come from, as a comment.
+    notes
+        What a user should look at: tiles that overlap or repeat each other.
+    """
+
+    label: str
+    time: datetime
+    tiles: tuple[TileInfo, ...]
+    reason: str
+    notes: tuple[str, ...] = ()
+
+    @property
+    def extent(self) -> tuple[float, float, float, float]:
+        """West, south, east, north of all tiles, in their own CRS."""
+        return _extent(self.tiles)
+
+
+def find_tiles(roots: Iterable[Path], progress: Callable[[float, str], None] = lambda fraction, message: None) -> list[FoundTile]:
+    """Headers and dates of all point clouds in folders, searched to the bottom; files may be given as well.
+
+    Raises
+    ------
+    InputError
+        A folder does not exist or holds no point cloud, or a tile cannot be read.
+    """
+    places: dict[Path, Path] = {}
+    for root in roots:
+        if not root.exists():
+            raise InputError("does not exist", source=root, remedy="Give the folder that holds your LAS, LAZ or COPC tiles.")
+        if root.is_file():
+            places.setdefault(root.resolve(), root.absolute().parent)
+            continue
+        found = sorted(path for path in root.rglob("*") if path.suffix.lower() in ENDINGS and path.is_file() and not _hidden(path, root))
+        if not found:
+            raise InputError("holds no LAS, LAZ or COPC file", source=root, remedy=_what_else(root))
+        for path in found:
+            places.setdefault(path.absolute(), root.absolute())
+    out = []
+    for k, (path, root) in enumerate(places.items()):
+        progress(k / len(places), f"looking at {path.name}")
+        named, place = _named(path, root)
+        info = inspect_tile(path, None)
+        if info.used:
+            out.append(FoundTile(info, tile_dates(path), named, place))
+    if not out:
+        folder = next(iter(places)).parent
+        raise InputError("holds tiles without a single point that can be used", source=folder, remedy="Give other tiles.")
+    return out
+
+
+def group_epochs(tiles: Sequence[FoundTile]) -> list[FoundEpoch]:
+    """Epochs in order of time: by dates in names, else by GPS time, by folders that show the same ground, or all in one."""
+    tiles, repeats = _without_repeats(tiles)
+    groups: dict[tuple[str, Path | None], list[FoundTile]] = {}
+    dated = [tile for tile in tiles if tile.named is not None]
+    for tile in dated:
+        groups.setdefault((tile.named.label if tile.named else "", None), []).append(tile)
+    groups = _split_by_place(groups)
+    epochs = [_dated_epoch(label, place, members) for (label, place), members in groups.items()]
+    rest = [tile for tile in tiles if tile.named is None]
+    epochs += [_undated_epoch(members, by) for members, by in _undated_groups(rest)]
+    epochs = [replace(epoch, notes=(*epoch.notes, *repeats.get(epoch.tiles[0].path, ()))) for epoch in epochs]
+    return _distinct(sorted(epochs, key=lambda epoch: (epoch.time, epoch.label)))
+
+
+def share_in_common(a: tuple[float, float, float, float], b: tuple[float, float, float, float]) -> float:
+    """Share of the smaller of two extents (west, south, east, north) that both cover."""
+    width, depth = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
+    smaller = min((a[2] - a[0]) * (a[3] - a[1]), (b[2] - b[0]) * (b[3] - b[1]))
+    return max(width, 0.0) * max(depth, 0.0) / smaller if smaller > 0 else 0.0
+
+
+def _hidden(path: Path, root: Path) -> bool:
+    return any(part.startswith(".") for part in path.relative_to(root).parts)
+
+
+def _what_else(root: Path) -> str:
+    endings = {path.suffix.lower() for path in root.rglob("*") if path.is_file()}
+    others = sorted(endings & {".e57", ".ply", ".xyz", ".pts", ".ptx", ".pcd", ".zip", ".rcp", ".rcs"})
+    return f"It holds {', '.join(others)}: export them as LAZ." if others else "Give the folder that holds your tiles."
+
+
+def _named(path: Path, root: Path) -> tuple[NamedDate | None, Path]:
+    """Date of the deepest folder whose name holds one, sharpened by the file's; and what carries it."""
+    folders = [parent for parent in path.parents if parent == root or root in parent.parents]
+    of_folder = next(((found, folder) for folder in folders if (found := date_in_name(folder.name)) is not None), None)
+    of_file = date_in_name(path.stem, years_alone=False)
+    if of_folder is None:
+        return (of_file, path) if of_file is not None else (None, path.parent)
+    if of_file is not None and of_file.exactness < of_folder[0].exactness and of_folder[0].holds(of_file.day):
+        return of_file, path
+    return of_folder
+
+
+def _without_repeats(tiles: Sequence[FoundTile]) -> tuple[list[FoundTile], dict[Path, tuple[str, ...]]]:
+    """Tiles without those that say the same as another of the same name or folder, and a note on each under the tile that stays."""
+    kept: dict[tuple[object, ...], FoundTile] = {}
+    notes: dict[Path, tuple[str, ...]] = {}
+    for tile in tiles:
+        info = tile.info
+        key = (info.points, info.low, info.high, tile.named.label if tile.named else tile.place, tile.dates.measured)
+        first = kept.setdefault(key, tile)
+        if first is not tile:
+            notes[first.info.path] = (
+                *notes.get(first.info.path, ()),
+                f"{info.path.name} repeats {first.info.path.name} (same points and extent): left out",
+            )
+    by_epoch = {tile.info.path: notes.get(tile.info.path, ()) for tile in kept.values()}
+    return list(kept.values()), by_epoch
+
+
+def _split_by_place(groups: dict[tuple[str, Path | None], list[FoundTile]]) -> dict[tuple[str, Path | None], list[FoundTile]]:
+    """Folders of one date that show the same ground are epochs of their own, such as ``before_2024-04-09`` and ``after_2024-04-09``."""
+    out: dict[tuple[str, Path | None], list[FoundTile]] = {}
+    for (label, _), members in groups.items():
+        by_place: dict[Path, list[FoundTile]] = {}
+        for tile in members:
+            by_place.setdefault(tile.place if tile.place.is_dir() else tile.place.parent, []).append(tile)
+        if len(by_place) > 1 and _same_ground(list(by_place.values())):
+            out |= {(label, place): own for place, own in by_place.items()}
+        else:
+            out[label, None] = members
+    return out
+
+
+def _same_ground(groups: Sequence[Sequence[FoundTile]]) -> bool:
+    """Whether every two groups cover much of the same ground."""
+    extents = [_extent([tile.info for tile in group]) for group in groups]
+    return all(share_in_common(a, b) > SAME_GROUND for k, a in enumerate(extents) for b in extents[:k])
+
+
+def _dated_epoch(label: str, place: Path | None, tiles: Sequence[FoundTile]) -> FoundEpoch:
+    named = next(tile.named for tile in tiles if tile.named is not None)
+    where = next(tile.place for tile in tiles)
+    source = f"folder {where.name}" if where.is_dir() else f"file names ({where.name})"
+    notes = []
+    times = [tile.dates.measured for tile in tiles if tile.dates.measured is not None]
+    day = named.day
+    if named.swapped is not None:
+        if times and abs(min(times).date() - named.swapped) < timedelta(days=2):
+            day = named.swapped
+        elif not times:
+            notes.append(f"{where.name} is read day first, as {named.day}; if the month comes first, it is {named.swapped}")
+    named = replace(named, day=day)
+    when, reason = _time_of_day(named, times)
+    return FoundEpoch(
+        place.name if place is not None else named.label,
+        when,
+        tuple(sorted((tile.info for tile in tiles), key=lambda info: info.path)),
+        f"date from {source}; {reason}",
+        tuple(notes),
+    )
+
+
+def _time_of_day(named: NamedDate, times: Sequence[datetime]) -> tuple[datetime, str]:
+    """Time of an epoch of a named date, and where it comes from; GPS times of other days belong to the export, not to the survey."""
+    fitting = [when for when in times if named.holds(when.date()) or (named.exactness == DAY and abs(when.date() - named.day).days <= 1)]
+    if fitting:
+        return min(fitting).replace(microsecond=0), "time from the points' GPS time"
+    noon = datetime.combine(named.day, NOON)
+    disagree = f" (the points' GPS time says {min(times):%Y-%m-%d})" if times else ""
+    if named.exactness == DAY:
+        return noon, f"time of day unknown, noon UTC taken{disagree}"
+    middle = noon + timedelta(days=15 if named.exactness == 1 else 181)
+    return middle, f"day unknown, the middle of {named.label} taken{disagree}"
+
+
+def _undated_groups(tiles: Sequence[FoundTile]) -> list[tuple[list[FoundTile], str]]:
+    """Tiles without a date in any name: by GPS time, else by folder where folders show the same ground, else all together."""
+    if not tiles:
+        return []
+    if all(tile.dates.measured is not None for tile in tiles):
+        return [(group, "gps") for group in _by_days(tiles, [t.dates.measured.date() for t in tiles if t.dates.measured])]
+    by_folder: dict[Path, list[FoundTile]] = {}
+    for tile in tiles:
+        by_folder.setdefault(tile.place, []).append(tile)
+    if len(by_folder) > 1 and _same_ground(list(by_folder.values())):
+        return [(group, "folder") for group in by_folder.values()]
+    made = [tile.dates.made for tile in tiles]
+    if all(day is not None for day in made):
+        groups = _by_days(tiles, [day for day in made if day is not None])
+        if len(groups) > 1 and _same_ground(groups):
+            return [(group, "made") for group in groups]
+    return [(list(tiles), "all")]
+
+
+def _by_days(tiles: Sequence[FoundTile], days: Sequence[date]) -> list[list[FoundTile]]:
+    order = sorted(range(len(tiles)), key=lambda k: days[k])
+    groups = [[tiles[order[0]]]]
+    for before, k in pairwise(order):
+        if (days[k] - days[before]).days >= ONE_EPOCH_DAYS:
+            groups.append([])
+        groups[-1].append(tiles[k])
+    return groups
+
+
+def _undated_epoch(tiles: Sequence[FoundTile], by: str) -> FoundEpoch:
+    infos = tuple(sorted((tile.info for tile in tiles), key=lambda info: info.path))
+    times = [tile.dates.measured for tile in tiles if tile.dates.measured is not None]
+    made = [tile.dates.made for tile in tiles if tile.dates.made is not None]
+    notes: tuple[str, ...] = ()
+    if times:
+        when, reason = min(times).replace(microsecond=0), "date and time from the points' GPS time"
+    elif made:
+        when = datetime.combine(min(made), NOON)
+        reason = "day on which the files were made, from their headers"
+        notes = ("no name and no GPS time tells when it was measured: correct the time if the files were made later",)
+    else:
+        newest = max(info.path.stat().st_mtime for info in infos)
+        when = datetime.fromtimestamp(newest, tz=UTC).replace(microsecond=0)
+        reason = "time at which the files were written"
+        notes = ("nothing in the files tells when it was measured: correct the time",)
+    label = tiles[0].place.name if by == "folder" else when.date().isoformat()
+    return FoundEpoch(label, when, infos, reason, notes)
+
+
+def _distinct(epochs: Sequence[FoundEpoch]) -> list[FoundEpoch]:
+    """Epochs with labels and times that no other has: survey.toml asks for it."""
+    out: list[FoundEpoch] = []
+    for epoch in epochs:
+        label, when, count = epoch.label, epoch.time, 2
+        while any(other.label == label for other in out):
+            label, count = f"{epoch.label} ({count})", count + 1
+        while any(other.time == when for other in out):
+            when += timedelta(minutes=1)
+        out.append(replace(epoch, label=label, time=when))
+    return out
+
+
+def _extent(tiles: Sequence[TileInfo]) -> tuple[float, float, float, float]:
+    return (
+        min(tile.low[0] for tile in tiles),
+        min(tile.low[1] for tile in tiles),
+        max(tile.high[0] for tile in tiles),
+        max(tile.high[1] for tile in tiles),
+    )

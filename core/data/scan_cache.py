@@ -1,0 +1,90 @@
+"""What a look through a tile found, kept beside other caches of the user so that the next command need not look again.
+
+Nothing depends on it: where it cannot be read or written, tiles are looked through again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import io
+import os
+import sys
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from ..common.arrays import FloatArray
+from ..common.atomic_files import temporary_beside
+from ..common.errors import OutputError
+from ..common.software import code_fingerprint
+from .occupancy import Occupancy
+
+MOST_FILES = 4000
+"""Files kept; the oldest go."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scan:
+    """Extents (3,) of all points in the tile's own CRS, and of the points that are used in the survey's, and where these are."""
+
+    raw_low: FloatArray
+    raw_high: FloatArray
+    low: FloatArray
+    high: FloatArray
+    cells: Occupancy
+
+
+def key_of(path: Path, settings: str) -> str:
+    """Name of what is known of a file in its present state, looked at in a certain way."""
+    state = path.stat()
+    parts = (str(path.resolve()), state.st_size, state.st_mtime_ns, state.st_ctime_ns, state.st_ino, settings, code_fingerprint(("data",)))
+    return hashlib.sha256(repr(parts).encode("utf-8", "surrogateescape")).hexdigest()[:40]
+
+
+def load(key: str) -> Scan | None:
+    """What was found then; None where nothing is known or the memory is damaged."""
+    folder = _folder()
+    if folder is None:
+        return None
+    try:
+        with np.load(folder / f"{key}.npz", allow_pickle=False) as kept:
+            cells = Occupancy(int(kept["level"]), kept["cells"], kept["counts"], kept["heights"])
+            return Scan(kept["raw_low"], kept["raw_high"], kept["low"], kept["high"], cells)
+    except Exception:
+        # a damaged archive raises whatever its bytes lead to, as in array_files.load_arrays
+        return None
+
+
+def store(key: str, scan: Scan) -> None:
+    """Remember what was found, if that is possible."""
+    folder = _folder()
+    if folder is None:
+        return
+    cells = scan.cells
+    buffer = io.BytesIO()
+    np.savez_compressed(
+        buffer, raw_low=scan.raw_low, raw_high=scan.raw_high, low=scan.low, high=scan.high,
+        level=np.array(cells.level), cells=cells.cells, counts=cells.counts, heights=cells.heights,
+    )  # fmt: skip
+    # a memory that cannot be kept is no loss
+    with contextlib.suppress(OSError, OutputError), temporary_beside(folder / f"{key}.npz") as temporary:
+        temporary.write_bytes(buffer.getbuffer())
+        temporary.replace(folder / f"{key}.npz")
+
+
+@cache
+def _folder() -> Path | None:
+    """Folder of the memory, made if need be and tidied; None where there can be none."""
+    home = os.environ.get("XDG_CACHE_HOME") or (os.environ.get("LOCALAPPDATA") if sys.platform == "win32" else None)
+    try:
+        folder = (Path(home) if home else Path.home() / ".cache") / "tetratrack" / "tiles"
+        folder.mkdir(parents=True, exist_ok=True)
+        files = sorted(folder.glob("*.npz"), key=lambda path: path.stat().st_mtime)
+        for old in files[:-MOST_FILES]:
+            old.unlink()
+    except (OSError, RuntimeError):
+        return None
+    return folder if os.access(folder, os.W_OK) else None

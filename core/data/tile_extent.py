@@ -1,0 +1,103 @@
+"""Where the points of a tile really are, whatever its header says; what is told of strays and of an extent that is stale."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ..common.arrays import BoolArray, FloatArray
+from ..common.errors import Cancelled, InputError
+from . import scan_cache
+from .las_files import REMEDY_DAMAGED, LasHeader, chunks_of, open_points, positions
+from .occupancy import Occupancy, merged, stray_cells
+from .scan_cache import Scan
+
+NOISE_CLASSES = (7, 18)
+"""ASPRS classes low and high noise (LAS 1.4 R15, table 17)."""
+STALE_METRES = 10.0
+"""A header whose extent is so much larger than that of the points, in one direction, is worth a word."""
+
+
+def scanned(
+    header: LasHeader, apply: Callable[[FloatArray], FloatArray] | None, crs: str, level: int, is_cancelled: Callable[[], bool]
+) -> Scan:
+    """Look at every point of a tile once; what was found is remembered as long as the file stays as it is."""
+    key = scan_cache.key_of(header.path, f"{level} {crs}")
+    known = scan_cache.load(key)
+    if known is not None:
+        return known
+    extents = np.full((4, 3), np.inf)
+    parts = [Occupancy.empty(level)]
+    with open_points(header) as reader:
+        for chunk in chunks_of(reader, header):
+            if is_cancelled():
+                raise Cancelled("cancelled while reading")
+            xyz = positions(chunk, header.path)
+            if not len(xyz):
+                continue
+            extents[0], extents[1] = np.minimum(extents[0], xyz.min(axis=0)), np.minimum(extents[1], -xyz.max(axis=0))
+            used = xyz[usable(chunk)]
+            if apply is not None:
+                used = apply(used)
+                used = used[np.isfinite(used).all(axis=1)]
+            if len(used):
+                extents[2], extents[3] = np.minimum(extents[2], used.min(axis=0)), np.minimum(extents[3], -used.max(axis=0))
+                parts = [merged([*parts, Occupancy.of(used, level)]).bounded()]
+    scan = Scan(extents[0], -extents[1], extents[2], -extents[3], parts[0])
+    scan_cache.store(key, scan)
+    return scan
+
+
+def main_part(scan: Scan) -> tuple[FloatArray, FloatArray]:
+    """Lowest and highest corner of a tile's points without strays, to metres."""
+    if not len(scan.cells.cells):
+        return scan.raw_low, scan.raw_high
+    low, high = scan.cells.select(~stray_cells(scan.cells)).box()
+    return np.maximum(low, scan.low), np.minimum(high, scan.high)
+
+
+def said_of_extent(header: LasHeader, scan: Scan) -> str:
+    """A sentence where the extent that the header gives is not that of the points; empty where it is.
+
+    Raises
+    ------
+    InputError
+        Some points lie outside of it, as in a damaged file.
+    """
+    given_low, given_high, name = header.low, header.high, header.path.name
+    if np.isnan([given_low, given_high]).any():
+        raise InputError("has an impossible extent in its header", source=header.path, remedy=REMEDY_DAMAGED)
+    if (given_low > given_high).any() or not np.isfinite([given_low, given_high]).all() or (not given_low.any() and not given_high.any()):
+        return f"{name}: its header gives no extent; that of its points is taken"
+    slack = np.maximum(2 * header.scales, _rounding(np.concatenate([given_low, given_high]))) + 1e-9
+    if not ((scan.raw_low < given_low - slack) | (scan.raw_high > given_high + slack)).any():
+        beyond = np.maximum(scan.raw_low - given_low, given_high - scan.raw_high).max()
+        larger = f"{name}: its header gives an extent {beyond:.0f} m larger than that of its points, which is taken"
+        return "" if beyond < STALE_METRES else larger
+    shift = scan.raw_low - given_low
+    if (np.abs(scan.raw_high - given_high - shift) <= 2 * slack).all():
+        moved = ", ".join(f"{value:.2f}" for value in shift)
+        return f"{name}: its points lie ({moved}) m beside the extent its header gives, as if it had been moved; their own extent is taken"
+    raise InputError(
+        "holds points outside the extent its header gives",
+        source=header.path,
+        remedy="If the file is sound, mend its header (lasinfo -repair, or pdal translate in.laz out.laz); else copy it again.",
+    )
+
+
+def _rounding(values: FloatArray) -> float:
+    """Step that all values of an extent are rounded to, metres; 0 where they are not."""
+    for step in (1.0, 0.1, 0.01):
+        if (np.abs(values / step - np.round(values / step)) < 1e-6).all():
+            return step
+    return 0.0
+
+
+def usable(chunk: Any) -> BoolArray:
+    """(n,) points that are neither classed as noise nor withheld."""
+    keep: BoolArray = ~np.isin(np.asarray(chunk.classification), NOISE_CLASSES)
+    if "withheld" in set(chunk.point_format.dimension_names):
+        keep &= np.asarray(chunk.withheld) == 0
+    return keep

@@ -1,0 +1,1 @@
+"""Epochs compared: identity, joint adjustment, congruence, displacements."""

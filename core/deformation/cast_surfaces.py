@@ -1,0 +1,76 @@
+"""Surfaces of one kind of unit during the joint adjustment: what is known of them, learned anew as the poses come right."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..adjustment.shape_effects import CellSums, eliminate, prior_surface, surface_of
+from ..adjustment.surface_estimation import SampledUnit, estimate_surface
+from ..common.arrays import FloatArray
+from ..model.mould import Mould
+
+SAMPLE_UNITS = 40
+"""Units, those that show most, from which the surface is learned."""
+
+MILLIMETRE = 0.001
+LARGEST_HALF = 6e4
+"""Largest number that half precision holds, nearly."""
+
+
+class CastSurfaces:
+    """What is known of the surfaces of the units of one kind.
+
+    Attributes
+    ----------
+    model
+        Mould and variances.
+    learned
+        Whether they come from this survey.
+    """
+
+    def __init__(self, height: float, mould: Mould | None = None) -> None:
+        self.height = height
+        self._stored = None if mould is None else surface_of(mould, height)
+        self.model = self._stored or prior_surface(height)
+        self.learned = False
+        self._covariance = self.model.covariance
+        self._deviations: dict[int, NDArray[np.float16]] = {}
+        self._own: dict[int, tuple[NDArray[np.float16], ...]] = {}
+        self._sample: dict[int, tuple[float, SampledUnit]] = {}
+
+    def expected(self, unit: int) -> FloatArray:
+        """(CELLS,) deviations of a unit's cells as far as they are known, metres."""
+        return self._deviations[unit].astype(np.float64) * MILLIMETRE if self.learned and unit in self._deviations else self.model.mean
+
+    @property
+    def roughness(self) -> float:
+        """Standard deviation of single points about :meth:`expected`, metres, noise apart."""
+        return math.sqrt(self.model.own + float(self.model.variances[-2:].sum()))
+
+    def reduced(
+        self, unit: int, scale: float, normal: FloatArray, rhs: FloatArray, sightings: Sequence[CellSums], unknowns: int
+    ) -> tuple[FloatArray, FloatArray]:
+        """Normal equations of a unit without the deviations of its cells; the first ``unknowns`` are its poses and its size."""
+        known = [own.astype(np.float64) * MILLIMETRE**2 for own in self._own.get(unit, ())]
+        found = eliminate(normal, rhs, sightings, self.model, self._covariance, known)
+        # kept for every unit of the survey: three digits of millimetres and their squares are plenty
+        self._deviations[unit] = (found.deviations / MILLIMETRE).astype(np.float16)
+        self._own[unit] = tuple(np.minimum(own / MILLIMETRE**2, LARGEST_HALF).astype(np.float16) for own in found.own)
+        seen = float(sum((sums.weight > 0).sum() for sums in sightings))
+        weakest = min(self._sample, key=lambda k: self._sample[k][0], default=unit)
+        if unit in self._sample or len(self._sample) < SAMPLE_UNITS or seen > self._sample[weakest][0]:
+            if unit not in self._sample and len(self._sample) >= SAMPLE_UNITS:
+                del self._sample[weakest]
+            own = [CellSums(s.rows[:, :unknowns].copy(), s.weight, s.rhs, s.square, s.noise) for s in sightings]
+            self._sample[unit] = (seen, SampledUnit(scale, own, found.own))
+        return found.normal, found.rhs
+
+    def learn(self) -> None:
+        """Learn mould and variances from the units reduced last."""
+        self.model = estimate_surface([unit for _, unit in self._sample.values()], self.height, self.model, self._stored)
+        self._covariance = self.model.covariance
+        self.learned = True

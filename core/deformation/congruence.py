@@ -1,0 +1,361 @@
+"""Congruence of two epochs: which units are stable, the datum they strengthen, and how uncertain a displacement really is.
+
+Displacements d_u (3,) of units in the control frame have a part common to all, the error of the two registrations, and one of their own:
+
+    d_u = A(x_u) theta + e_u,   theta ~ N(0, Sigma_registration),   e_u ~ t_nu(0, V_u),   V_u = s^2 C_u + tau^2 I
+
+with C_u the covariance of the joint adjustment. Roughness, growth and drifts within a strip make C_u too small, so the factor s,
+the floor tau and the weight nu of the tails are estimated from the stable units themselves by maximum likelihood, while moved
+units are described by a broad second component (the empirical null distribution of Efron, 2004, JASA 99). Congruence test and
+datum after Pelzer (1971) and Niemeier (1985): global test of all units, then units that do not agree leave the datum.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import minimize
+from scipy.special import chdtrc, fdtrc, gammaln
+
+from ..common.arrays import BoolArray, FloatArray
+from ..common.robust import CHI2_3_MEDIAN
+from ..registration.frame_field import LocalMotions
+from ..registration.transformation import rigid_jacobian
+
+STABLE_LEVEL = 0.01
+"""Units with a smaller p-value do not support the datum."""
+NORMAL_TAIL, LEAST_TAIL = 200.0, 3.0
+"""Degrees of freedom beyond which t is normal, and fewest that are believed: with fewer, t has no variance worth stating."""
+FREE_SHIFT, FREE_TURN = 1e3, 1.0
+"""Standard deviations, metres and radians, of a common motion of which nothing is known."""
+
+
+@dataclass(frozen=True, eq=False)
+class NullModel:
+    """What displacements of stable units look like: covariance factor ** 2 * C + floor ** 2 * I with t tails of ``tail`` degrees.
+
+    ``moved_share`` is the share of units that the broad component describes, ``count`` the number of units it was estimated from.
+    """
+
+    factor: float
+    floor: float
+    tail: float
+    moved_share: float
+    count: int
+
+    def covariance(self, covariances: FloatArray) -> FloatArray:
+        """(..., 3, 3) effective covariances."""
+        return np.asarray(self.factor**2 * covariances + self.floor**2 * np.eye(3))
+
+    @property
+    def spread(self) -> float:
+        """Variance of the t distribution over its squared scale: what a stated standard deviation has to hold beyond ``covariance``."""
+        return self.tail / (self.tail - 2)
+
+    def p_value(self, statistics: FloatArray) -> FloatArray:
+        """Of quadratic forms of three components."""
+        return f_p_value(statistics, self.tail)
+
+
+@dataclass(frozen=True, eq=False)
+class PoseCalibration:
+    """What the stable units say of the covariances of the poses of one epoch.
+
+    Attributes
+    ----------
+    factors, floors
+        (6,) factors of the standard deviations of e, n, h and the rotation vector, and deviations (metres, radians) of a difference of
+        two epochs that are added.
+    """
+
+    factors: FloatArray
+    floors: FloatArray
+
+    @classmethod
+    def of_pairs(cls, pairs: Sequence[tuple[float, float, float, float]]) -> PoseCalibration:
+        """From factor and floor of positions, then of rotations, in every pair the epoch belongs to: their medians; none change nothing."""
+        factor, floor, turn_factor, turn_floor = np.median(np.array(pairs or [(1.0, 0.0, 1.0, 0.0)]), axis=0)
+        return cls(np.repeat([factor, turn_factor], 3), np.repeat([floor, turn_floor], 3))
+
+    def covariance(self, covariance: FloatArray) -> FloatArray:
+        """(6, 6) covariance of a pose from that of its adjustment."""
+        # the floor of a difference belongs half to each of its epochs
+        return np.asarray(covariance * np.outer(self.factors, self.factors) + np.diag(0.5 * self.floors**2))
+
+
+def f_p_value(statistics: FloatArray, tail: float) -> FloatArray:
+    """p-values of quadratic forms of three components whose variance has ``tail`` degrees of freedom."""
+    return np.asarray(fdtrc(3, tail, np.asarray(statistics) / 3))
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Congruence:
+    """Result of :func:`congruence_of` for one epoch pair.
+
+    Attributes
+    ----------
+    origin
+        (3,) point the common motion refers to: the centroid of the units.
+    motion, motion_covariance
+        (7,), (7, 7): shift (m), rotation vector (rad), scale of the stable set in the control frame, control included; to be subtracted
+        in datum ``stable``.
+    prior
+        (7, 7) covariance of the common motion from the registrations alone.
+    stable
+        (n,) whether a unit supports the datum.
+    null
+        Calibrated distribution of stable units.
+    statistics, p_values
+        (n,) of each unit in datum ``stable``, itself left out of the datum.
+    control_statistics, control_p_values, control_tail
+        The same in datum ``control``, and its degrees of freedom.
+    global_statistic, global_degrees, global_p_value
+        Test that all units together kept their shape.
+    common_statistic, common_p_value
+        Test that the stable set did not move against control; nan without control or without stable units.
+    """
+
+    origin: FloatArray
+    motion: FloatArray
+    motion_covariance: FloatArray
+    prior: FloatArray
+    stable: BoolArray
+    null: NullModel
+    statistics: FloatArray
+    p_values: FloatArray
+    control_statistics: FloatArray
+    control_p_values: FloatArray
+    control_tail: float
+    global_statistic: float
+    global_degrees: int
+    global_p_value: float
+    common_statistic: float
+    common_p_value: float
+
+    def rigid_motions(self, points: FloatArray, datum: str) -> LocalMotions:
+        """What the common motion is for small bodies at (n, 3) points of the control frame, in datum ``stable`` or ``control``."""
+        rows = np.zeros((len(points), 6, 7))
+        rows[:, :3] = rigid_jacobian(points - self.origin)
+        rows[:, [3, 4, 5], [3, 4, 5]] = 1
+        motion = self.motion if datum == "stable" else np.zeros(7)
+        covariance = self.motion_covariance if datum == "stable" else self.prior
+        return LocalMotions(rows @ motion, rows @ covariance @ np.swapaxes(rows, 1, 2))
+
+
+def congruence_of(
+    displacements: FloatArray,
+    covariances: FloatArray,
+    points: FloatArray,
+    prior: FloatArray | None,
+    origin: FloatArray,
+    scale: float,
+    degrees: float = math.inf,
+) -> Congruence:
+    """Find the stable set of an epoch pair, its datum and the calibrated tests.
+
+    Parameters
+    ----------
+    displacements, covariances
+        (n, 3), (n, 3, 3) of one point of each unit (the centre), without registration error, metres.
+    points
+        (n, 3) where the units are.
+    prior
+        (7, 7) covariance of the common motion (shift, rotation vector, scale) about ``origin`` from both registrations; None where
+        an epoch has no control, so that nothing is known of it.
+    origin
+        (3,) reduction point of the common motion.
+    scale
+        Length of the units in metres (H), for the broad component of moved units.
+    degrees
+        Degrees of freedom of the prior's variance, the redundancy of the registrations.
+    """
+    known = prior is not None
+    sigma = _free_prior() if prior is None else _regular(prior)
+    a = rigid_jacobian(points - origin)
+    rough = covariances + (0.002 * scale) ** 2 * np.eye(3)
+    theta, cofactor = _robust_motion(displacements, rough, a, sigma)
+    # the first datum has no members, so that no unit's residual is small for having been fitted
+    residuals, spread = displacements - a @ theta, a @ cofactor @ np.swapaxes(a, 1, 2)
+    null = calibrate(residuals, covariances, scale, spread)
+    effective = null.covariance(covariances)
+    stable = null.p_value(quadratic(residuals, effective + spread)) > STABLE_LEVEL
+    for _ in range(12):
+        theta, cofactor, statistics = _leave_one_out(displacements, effective, a, sigma, stable)
+        residuals, spread = _predictions(displacements, effective, a, theta, cofactor, stable)
+        earlier, null = null, calibrate(residuals, covariances, scale, spread)
+        previous, stable = stable, null.p_value(statistics) > STABLE_LEVEL
+        effective = null.covariance(covariances)
+        if (stable == previous).all() and abs(null.factor - earlier.factor) + abs(null.floor - earlier.floor) / scale < 1e-3:
+            break
+    theta, cofactor, statistics = _leave_one_out(displacements, effective, a, sigma, stable)
+    p_values = null.p_value(statistics)
+    with_control = effective + a @ sigma @ np.swapaxes(a, 1, 2) if known else effective
+    control = quadratic(displacements, with_control)
+    tail = min(null.tail, degrees) if degrees > 0 else null.tail
+    global_statistic, global_degrees = _global(displacements, effective, a, sigma)
+    common = math.nan
+    if known and stable.any():
+        common = _common(displacements[stable], effective[stable], a[stable], sigma)
+    return Congruence(
+origin=origin,
+motion=theta,
+motion_covariance=cofactor,
+prior=sigma if known else np.zeros((7, 7)),
+stable=stable,
+null=null,
+statistics=statistics,
+p_values=p_values,
+control_statistics=control,
+control_p_values=f_p_value(control, tail),
+control_tail=tail,
+global_statistic=global_statistic,
+global_degrees=global_degrees,
+global_p_value=float(chdtrc(global_degrees, global_statistic)) if global_degrees else 1.0,
+common_statistic=common,
+common_p_value=float(fdtrc(6, min(degrees, 1e6) or 1e6, common / 6)) if math.isfinite(common) else math.nan,
+)  # fmt: skip
+
+
+def calibrate(residuals: FloatArray, covariances: FloatArray, scale: float, spread: FloatArray | None = None) -> NullModel:
+    """Maximum a posteriori factor, floor and tails of the displacements of stable units, among moved ones.
+
+    Parameters
+    ----------
+    residuals, covariances
+        (n, 3), (n, 3, 3) displacements less the common part, and their formal covariance.
+    scale
+        H in metres; moved units are taken from a Cauchy distribution of that order.
+    spread
+        (n, 3, 3) covariance of the common part that was subtracted, not to be scaled; None for zero.
+
+    The priors are weak and only matter for a handful of units: factor 1 within a factor of two, tails of about 15 degrees of
+    freedom, floor of the order of the formal standard deviations.
+    """
+    n = len(residuals)
+    if n == 0:
+        return NullModel(1.0, 0.0, NORMAL_TAIL, 0.0, 0)
+    values, vectors = np.linalg.eigh(covariances)
+    values = np.maximum(values, 1e-18)
+    squares = np.einsum("nij,ni->nj", vectors, residuals) ** 2
+    extra = 0.0 if spread is None else np.einsum("nij,nik,nkj->nj", vectors, spread, vectors)
+    typical = float(np.sqrt(np.median(values)))
+    broad = 0.02 * scale
+    moved_log = _log_t(squares / broad**2, 1.0) - 3 * math.log(broad)
+
+    def target(parameters: FloatArray) -> float:
+        factor, floor, tail, odds = parameters
+        variance = math.exp(2 * factor) * values + (typical * math.exp(floor)) ** 2 + extra
+        nu = max(math.exp(tail), LEAST_TAIL)
+        share = 1 / (1 + math.exp(-odds))
+        null_log = _log_t(squares / variance, nu) - 0.5 * np.sum(np.log(variance), axis=1)
+        total = np.logaddexp(np.log1p(-share) + null_log, math.log(share) + moved_log)
+        priors = (factor / 0.7) ** 2 + ((floor + 0.7) / 1.0) ** 2 + ((tail - math.log(15)) / 0.8) ** 2 + ((odds + 1.7) / 1.0) ** 2
+        return float(-np.sum(total) + 0.5 * priors)
+
+    best = min(
+        (minimize(target, start, method="Nelder-Mead", options={"xatol": 1e-3, "fatol": 1e-4, "maxiter": 800})
+         for start in ([0.35, -0.7, math.log(15), -1.7], [1.2, 0.5, math.log(15), -1.7])),
+        key=lambda found: found.fun,
+    )  # fmt: skip
+    factor, floor, tail, odds = best.x
+    return NullModel(
+        float(math.exp(factor)),
+        float(typical * math.exp(floor)),
+        float(min(max(math.exp(tail), LEAST_TAIL), NORMAL_TAIL)),
+        float(1 / (1 + math.exp(-odds))),
+        n,
+    )
+
+
+def _log_t(squares: FloatArray, nu: float) -> FloatArray:
+    """Log density of a t vector of three components with unit scale; ``squares`` (n, 3) standardised squares."""
+    q = np.sum(squares, axis=1)
+    constant = gammaln((nu + 3) / 2) - gammaln(nu / 2) - 1.5 * math.log(nu * math.pi)
+    return np.asarray(constant - (nu + 3) / 2 * np.log1p(q / nu))
+
+
+def _free_prior() -> FloatArray:
+    return np.diag([FREE_SHIFT**2] * 3 + [FREE_TURN**2] * 3 + [1e-24])
+
+
+def _regular(prior: FloatArray) -> FloatArray:
+    """Covariance with a tiny variance where a parameter was held fixed, so that it can be inverted."""
+    return prior + np.diag([1e-14] * 3 + [1e-20] * 3 + [1e-24])
+
+
+def _solve(displacements: FloatArray, weights: FloatArray, a: FloatArray, sigma: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Common motion from prior and units; ``weights`` (n, 3, 3)."""
+    at_w = np.swapaxes(a, 1, 2) @ weights
+    normal = np.linalg.inv(sigma) + np.sum(at_w @ a, axis=0)
+    cofactor = np.linalg.inv(normal)
+    return cofactor @ np.einsum("nij,nj->i", at_w, displacements), cofactor
+
+
+def _robust_motion(displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Common motion that most units share, by reweighting from the median shift."""
+    if not len(displacements):
+        return np.zeros(7), sigma
+    inverse = np.linalg.inv(covariances)
+    residuals = displacements - np.median(displacements, axis=0)
+    theta, cofactor = np.zeros(7), sigma
+    for _ in range(30):
+        q = np.einsum("ni,nij,nj->n", residuals, inverse, residuals)
+        size = max(float(np.median(q)) / CHI2_3_MEDIAN, 1e-12)
+        weight = 1 / (1 + q / (3 * size)) ** 2
+        theta, cofactor = _solve(displacements, inverse * (weight / size)[:, None, None], a, sigma)
+        residuals = displacements - a @ theta
+    return theta, cofactor
+
+
+def _predictions(
+    displacements: FloatArray, covariances: FloatArray, a: FloatArray, theta: FloatArray, cofactor: FloatArray, stable: BoolArray
+) -> tuple[FloatArray, FloatArray]:
+    """(n, 3) displacements in the datum of all other stable units, and (n, 3, 3) covariance of that datum at the unit."""
+    residuals = displacements - a @ theta
+    spread = a @ cofactor @ np.swapaxes(a, 1, 2)
+    for k in np.flatnonzero(stable):
+        gain = np.linalg.inv(covariances[k] - spread[k])
+        residuals[k] = covariances[k] @ gain @ residuals[k]
+        spread[k] = spread[k] + spread[k] @ gain @ spread[k]
+    return residuals, spread
+
+
+def _leave_one_out(
+    displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray, stable: BoolArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Datum of the stable set, and each unit's statistic against the datum without itself."""
+    weights = np.asarray(np.linalg.inv(covariances) * stable[:, None, None], dtype=np.float64)
+    theta, cofactor = _solve(displacements, weights, a, sigma)
+    residuals = displacements - a @ theta
+    spread = a @ cofactor @ np.swapaxes(a, 1, 2)
+    # a member's residual has V - A Q A^T, an outsider's V + A Q A^T; the first equals the deletion statistic exactly
+    combined = covariances + np.where(stable[:, None, None], -spread, spread)
+    return theta, cofactor, quadratic(residuals, combined)
+
+
+def quadratic(vectors: FloatArray, covariances: FloatArray) -> FloatArray:
+    """(n,) quadratic forms of (n, 3) vectors with the inverse of their covariances."""
+    return np.asarray(np.einsum("ni,ni->n", vectors, np.linalg.solve(covariances, vectors[:, :, None])[:, :, 0]))
+
+
+def _global(displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray) -> tuple[float, int]:
+    """Quadratic form of all residuals when every unit supports the datum, and its degrees of freedom."""
+    n = len(displacements)
+    if n < 2:
+        return 0.0, 0
+    weights = np.asarray(np.linalg.inv(covariances), dtype=np.float64)
+    theta, _ = _solve(displacements, weights, a, sigma)
+    residuals = displacements - a @ theta
+    form = float(np.einsum("ni,nij,nj->", residuals, weights, residuals) + theta @ np.linalg.solve(sigma, theta))
+    return form, 3 * n
+
+
+def _common(displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray) -> float:
+    """Motion of the stable units alone against zero, with the covariance of both registrations (rigid part, 6 degrees)."""
+    free = _free_prior()
+    theta, cofactor = _solve(displacements, np.asarray(np.linalg.inv(covariances), dtype=np.float64), a, free)
+    total = (cofactor + sigma)[:6, :6]
+    return float(theta[:6] @ np.linalg.solve(total, theta[:6]))

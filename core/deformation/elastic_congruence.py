@@ -1,0 +1,153 @@
+"""Congruence of two epochs whose frames bend: the datum is a field, and every unit is judged by what the others predict at its place.
+
+Displacements of units hold the difference of the two frames' errors and a part of their own,
+
+    d_u = A(x_u) theta + g(x_u) + e_u,   e_u ~ t_nu(0, V_u)
+
+with the field g of :mod:`..registration.frame_field`. What targets say of the field is datum ``control``; what they and the units that
+agree with each other say is datum ``stable``, where a unit's own observation is taken back out (leave one out), so that it cannot
+explain itself. The null distribution of resting units is calibrated as in :mod:`.congruence`.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import chdtrc
+
+from ..common.arrays import BoolArray, FloatArray
+from ..common.robust import t_weights
+from ..registration.frame_field import FieldEstimate, LocalMotions
+from ..registration.transformation import rigid_jacobian
+from .congruence import STABLE_LEVEL, Congruence, NullModel, calibrate, f_p_value, quadratic
+
+ROUGH_SHARE = 0.002
+"""Deviation over H that a unit may have beyond its covariance before the null distribution is known."""
+ROBUST_STEPS, DATUM_STEPS = 12, 8
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ElasticDatum:
+    """Both datums of an epoch pair as fields.
+
+    Attributes
+    ----------
+    control, stable
+        The difference of the two frames' errors as targets, and as targets and resting units see it.
+    precision
+        Inverse of the covariance of ``control``.
+    used
+        (n,) whether a unit took part in datum ``stable``.
+    """
+
+    control: FieldEstimate
+    stable: FieldEstimate
+    precision: FloatArray
+    used: BoolArray
+
+
+def elastic_congruence_of(
+    displacements: FloatArray,
+    covariances: FloatArray,
+    points: FloatArray,
+    control: FieldEstimate,
+    precision: FloatArray,
+    scale: float,
+    degrees: float,
+    suspects: BoolArray,
+) -> tuple[Congruence, ElasticDatum]:
+    """Find the stable set, the datum as a field and the calibrated tests.
+
+    Parameters
+    ----------
+    displacements, covariances
+        (n, 3), (n, 3, 3) of the centres of units, without the error of the frames, metres.
+    points
+        (n, 3) where the units are.
+    control
+        Difference of the frames' errors before any unit has been asked; its covariance is that of the prior where there is no control.
+    precision
+        Inverse of that covariance.
+    scale
+        H in metres.
+    degrees
+        Degrees of freedom of the registrations.
+    suspects
+        (n,) units of stretches that seem to have moved as one: the others speak first.
+    """
+    basis = control.basis
+    at_control = control.at(points)
+
+    def adjusted(weights: FloatArray, variances: FloatArray) -> tuple[FieldEstimate, LocalMotions]:
+        inverse = np.linalg.inv(variances) * weights[:, None, None]
+        keep = weights > 1e-6
+        field = FieldEstimate.from_observations(basis, precision, points[keep], displacements[keep], inverse[keep], control.mean)
+        return field, field.at(points).without(displacements, variances, weights)
+
+    rough = covariances + (ROUGH_SHARE * scale) ** 2 * np.eye(3)
+    weights = t_weights(quadratic(displacements - at_control.means[:, :3], rough + at_control.covariances[:, :3, :3]))[0]
+    weights[suspects] = 0.0
+    for _ in range(ROBUST_STEPS):
+        _, others = adjusted(weights, rough)
+        earlier, weights = weights, t_weights(quadratic(displacements - others.means[:, :3], rough + others.covariances[:, :3, :3]))[0]
+        if np.abs(weights - earlier).max(initial=0.0) < 0.05:
+            break
+    _, others = adjusted(weights, rough)
+    residuals, spread = displacements - others.means[:, :3], others.covariances[:, :3, :3]
+    null = calibrate(residuals, covariances, scale, spread)
+    stable = null.p_value(quadratic(residuals, null.covariance(covariances) + spread)) > STABLE_LEVEL
+    for _ in range(DATUM_STEPS):
+        effective = null.covariance(covariances)
+        field, others = adjusted(stable.astype(np.float64), effective)
+        residuals, spread = displacements - others.means[:, :3], others.covariances[:, :3, :3]
+        before, null = null, calibrate(residuals, covariances, scale, spread)
+        previous, stable = stable, null.p_value(quadratic(residuals, null.covariance(covariances) + spread)) > STABLE_LEVEL
+        if (stable == previous).all() and abs(null.factor - before.factor) + abs(null.floor - before.floor) / scale < 1e-3:
+            break
+    effective = null.covariance(covariances)
+    field, others = adjusted(stable.astype(np.float64), effective)
+    congruence = _summary(displacements, effective, points, stable, null, others, at_control, degrees)
+    return congruence, ElasticDatum(control=control, stable=field, precision=precision, used=stable)
+
+
+def _summary(
+    displacements: FloatArray,
+    effective: FloatArray,
+    points: FloatArray,
+    stable: BoolArray,
+    null: NullModel,
+    others: LocalMotions,
+    at_control: LocalMotions,
+    degrees: float,
+) -> Congruence:
+    """The pair's tests in the form that rigid frames have; motion is the rigid part of what the stable units share."""
+    origin = points[stable].mean(axis=0) if stable.any() else np.zeros(3)
+    statistics = quadratic(displacements - others.means[:, :3], effective + others.covariances[:, :3, :3])
+    control = quadratic(displacements - at_control.means[:, :3], effective + at_control.covariances[:, :3, :3])
+    tail = min(null.tail, degrees) if degrees > 0 else null.tail
+    motion = np.zeros(7)
+    if stable.sum() >= 3:
+        design = rigid_jacobian(points[stable] - origin)[:, :, :6].reshape(-1, 6)
+        motion[:6] = np.linalg.lstsq(design, others.means[stable, :3].ravel(), rcond=None)[0]
+    form = float(np.sum(statistics))
+    count = 3 * len(displacements)
+    return Congruence(
+origin=origin,
+motion=motion,
+motion_covariance=np.zeros((7, 7)),
+prior=np.zeros((7, 7)),
+stable=stable,
+null=null,
+statistics=statistics,
+p_values=null.p_value(statistics),
+control_statistics=control,
+control_p_values=f_p_value(control, tail),
+control_tail=tail,
+global_statistic=form,
+global_degrees=count,
+global_p_value=float(chdtrc(count, form)) if count else 1.0,
+common_statistic=math.nan,
+common_p_value=math.nan,
+)  # fmt: skip

@@ -1,0 +1,388 @@
+"""How the frames of all epochs bend: the model from resting units and targets, and each epoch's error as its targets see it.
+
+Targets are judged against the bent frame, each by what the others predict at its place: one that the flight around it contradicts is
+disturbed, a station of targets that agree with each other is not.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Literal
+
+import numpy as np
+from scipy.special import fdtrc
+
+from ..common.arrays import BoolArray, FloatArray
+from ..common.robust import CHI2_3_MEDIAN
+from ..registration.bending import FEWEST_CELLS, GAIN, Bending, ShiftSample, estimate_bending, explained, in_cells, rigid_log_likelihood
+from ..registration.control import MIN_TARGETS, SNOOPING_LEVEL, exclude_by_turns
+from ..registration.frame_field import FREE_SHIFT, FREE_TURN, RIGID, FieldBasis, FieldEstimate, FieldModel
+from ..registration.transformation import rigid_jacobian
+
+FrameChoice = Literal["auto", "rigid", "elastic"]
+CELL_HEIGHTS = 1.5
+"""Size of the cells of ground in which displacements are pooled, in heights of a unit."""
+SHORTEST_HEIGHTS = 2.5
+"""Least correlation length looked for, in heights of a unit."""
+RESOLUTION_HEIGHTS = 0.0005
+"""Interpolation error of the field that is allowed, in heights of a unit."""
+FEWEST_DEGREES = 4.0
+"""Least degrees of freedom that the size of a bend is given."""
+FEWEST_BENT_TARGETS = 12
+"""Targets from which alone a bend may be learned, where there is one epoch."""
+NOISE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.5, 6.0)
+BEND_FACTORS = (0.5, 0.7, 1.0, 1.4, 2.0)
+"""Factors of the targets' stated deviations, and of the bend between epochs, among which the targets of all epochs choose."""
+SIZE_CAUTION = 1.0
+LEAST_SIZE, MOST_SIZE = 0.35, 4.0
+"""Observations' worth of belief in the model's own size of what targets leave unknown, and bounds of the factor of its variance."""
+LARGEST_MISFIT = 16.0
+"""Normalised square up to which one cell counts."""
+TARGET_CAUTION = 4.0
+"""Factor of the stated deviations of targets while it is not known how well they were measured, and which are disturbed."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class TargetShifts:
+    """Targets of an epoch after its rigid registration.
+
+    Attributes
+    ----------
+    ids
+        Names.
+    positions
+        (k, 3) surveyed, control frame less the reduction point, metres.
+    residuals
+        (k, 3) registered cloud less surveyed coordinate, metres.
+    variances
+        (k, 3) stated, square metres.
+    """
+
+    ids: tuple[str, ...]
+    positions: FloatArray
+    residuals: FloatArray
+    variances: FloatArray
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class TargetVerdicts:
+    """Targets of an epoch against its bent frame.
+
+    Attributes
+    ----------
+    residuals
+        (k, 3) what the bent frame leaves, metres; of an excluded target what the others predict less it.
+    w_max, p_values
+        (k,) largest normalised residual and p-value of all three, from the prediction by the others.
+    used
+        (k,) False for a disturbed one.
+    """
+
+    residuals: FloatArray
+    w_max: FloatArray
+    p_values: FloatArray
+    used: BoolArray
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class EpochFrames:
+    """Frames of all epochs.
+
+    Attributes
+    ----------
+    model
+        Bend of one epoch; its standard deviations are those of a single epoch.
+    gain
+        Log-likelihood gained over rigid frames.
+    basis
+        Nodes over all units and targets.
+    errors
+        By epoch: error of the registered cloud as its targets see it; None without targets.
+    verdicts
+        By epoch: its targets judged; None without targets.
+    noise_factor
+        Of the targets' stated deviations.
+    bendings
+        By pair of epochs that follow each other: what its units show; None for too few of them.
+    degrees
+        Degrees of freedom with which the size of the bend is known: stretches of a correlation length that the survey shows; inf where
+        units have shown how far off targets leave the frames.
+    size
+        Factor of the variance of ``errors``, held in their covariances already.
+    """
+
+    model: FieldModel
+    gain: float
+    basis: FieldBasis
+    errors: tuple[FieldEstimate | None, ...]
+    verdicts: tuple[TargetVerdicts | None, ...]
+    noise_factor: float
+    bendings: tuple[Bending | None, ...]
+    degrees: float
+    size: float
+
+    def jumped(self, first: int, second: int, places: FloatArray) -> BoolArray:
+        """(k,) which of (k, 3) places lie on a stretch that moved as one in some pair between two epochs."""
+        inside = np.zeros(len(places), dtype=bool)
+        for bending in self.bendings[first:second]:
+            if bending is not None:
+                inside |= bending.jumped(places)
+        return inside
+
+    def between(self, first: int, second: int) -> tuple[FieldEstimate, FloatArray]:
+        """Difference of two epochs as targets see it, the prior where one has none, and inverse of the covariance that units add to.
+
+        How far targets are off is learned from the units themselves, so that the covariance to which they add is that of the model.
+        """
+        a, b = self.errors[first], self.errors[second]
+        if a is None or b is None:
+            precision = self.basis.scaled_by(math.sqrt(2)).precision()
+            covariance = np.asarray(np.linalg.inv(precision), dtype=np.float64)
+            return FieldEstimate(self.basis, np.zeros(self.basis.size), covariance), precision
+        covariance = a.covariance + b.covariance
+        precision = np.asarray(np.linalg.inv(covariance / self.size), dtype=np.float64)
+        return FieldEstimate(self.basis, b.mean - a.mean, covariance), precision
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class PairShifts:
+    """Displacements of units between two epochs, from which a bend is learned: (n, 3) places and vectors, (n, 3, 3) covariances."""
+
+    places: FloatArray
+    vectors: FloatArray
+    covariances: FloatArray
+
+
+def estimate_frames(
+    pairs: Sequence[PairShifts], targets: Sequence[TargetShifts | None], places: FloatArray, height: float, choice: FrameChoice
+) -> EpochFrames | None:
+    """Model of the bend and the frames of all epochs; None where rigid frames explain what is seen.
+
+    Parameters
+    ----------
+    pairs
+        Units between epochs that follow each other.
+    targets
+        By epoch.
+    places
+        (n, 3) of all units, over which the field is wanted.
+    height
+        H in metres.
+    choice
+        ``auto`` asks for clear evidence of a bend, ``elastic`` for any, ``rigid`` never bends.
+    """
+    if choice == "rigid" or not len(places):
+        return None
+    least_gain = GAIN if choice == "auto" else 0.0
+    bendings = tuple(_bending_between(pair, targets[k : k + 2], height, least_gain) for k, pair in enumerate(pairs))
+    model, gain = _model(bendings, targets, height, least_gain)
+    if model is None:
+        return None
+    known = [t.positions for t in targets if t is not None]
+    basis = FieldBasis.over(model, np.vstack([places, *known]), RESOLUTION_HEIGHTS * height)
+    bend, noise = _target_factors(model, [t for t in targets if t is not None])
+    basis = basis.scaled_by(bend)
+    precision = basis.precision()
+    degrees = max(float(np.ptp(model.scaled(places)[:, 0])), FEWEST_DEGREES)
+    errors: list[FieldEstimate | None] = []
+    verdicts: list[TargetVerdicts | None] = []
+    for own in targets:
+        if own is None or len(own.ids) < MIN_TARGETS:
+            errors.append(None)
+            verdicts.append(None)
+            continue
+        used = exclude_by_turns(partial(_p_values, basis.model, own, noise), np.ones(len(own.ids), dtype=bool), SNOOPING_LEVEL)
+        weights = np.stack([np.diag(1 / (noise**2 * v)) for v in own.variances])
+        field = FieldEstimate.from_observations(basis, precision, own.positions[used], own.residuals[used], weights[used])
+        errors.append(field)
+        verdicts.append(_verdicts(basis.model, own, noise, used, field))
+    size = _size_of_errors(pairs, errors, bendings, height, degrees)
+    if size is None:
+        # the size of a bend learned from few stretches is uncertain itself: the variance of t with as many degrees of freedom
+        size = 1 + 2 / degrees
+    else:
+        degrees = math.inf
+    return EpochFrames(
+        model=basis.model,
+        gain=gain,
+        basis=basis,
+        errors=tuple(None if error is None else replace(error, covariance=error.covariance * size) for error in errors),
+        verdicts=tuple(verdicts),
+        noise_factor=noise,
+        bendings=bendings,
+        degrees=degrees,
+        size=size,
+    )
+
+
+def _size_of_errors(
+    pairs: Sequence[PairShifts],
+    errors: Sequence[FieldEstimate | None],
+    bendings: Sequence[Bending | None],
+    height: float,
+    degrees: float,
+) -> float | None:
+    """Factor of the variance of what targets leave unknown, from how far off it the resting units lie; None where no pair tells.
+
+    Cells of ground that a smooth bend explains, outside stretches that moved as one, are taken to rest. What all units did together
+    would pass for such an error, which is why the factor has bounds.
+    """
+    found = []
+    for pair, bending, first, second in zip(pairs, bendings, errors[:-1], errors[1:], strict=True):
+        if first is None or second is None or bending is None or bending.model is None:
+            continue
+        cells = in_cells(pair.places[:, :2], pair.vectors, np.einsum("kii->ki", pair.covariances), CELL_HEIGHTS * height)
+        resting = explained(cells, bending.model)
+        resting = resting[~bending.jumped(cells.places[resting])]
+        if len(resting) < FEWEST_CELLS:
+            continue
+        known = FieldEstimate(first.basis, second.mean - first.mean, first.covariance + second.covariance)
+        # less the bend, neighbours differ by their own errors alone
+        left = pair.vectors - known.at(pair.places).means[:, :3]
+        own = in_cells(pair.places[:, :2], left, np.einsum("kii->ki", pair.covariances), CELL_HEIGHTS * height)
+        places = np.column_stack([own.places[resting], np.full(len(resting), float(np.mean(pair.places[:, 2])))])
+        variances = own.variances[resting] + np.einsum("kii->ki", known.at(places).covariances[:, :3, :3])
+        found.append(float(np.mean(np.minimum(own.values[resting] ** 2 / variances, LARGEST_MISFIT))))
+    if not found:
+        return None
+    seen = min(max(float(np.mean(found)), LEAST_SIZE), MOST_SIZE)
+    return (3 * degrees * seen + SIZE_CAUTION) / (3 * degrees + SIZE_CAUTION)
+
+
+def _bending_between(pair: PairShifts, targets: Sequence[TargetShifts | None], height: float, least_gain: float) -> Bending | None:
+    """Bend between two epochs, from cells of units and from targets that both measured; None for too few units."""
+    if len(pair.places) < FEWEST_CELLS:
+        return None
+    variances = np.einsum("kii->ki", pair.covariances)
+    sample = in_cells(pair.places[:, :2], pair.vectors, variances, CELL_HEIGHTS * height)
+    first, second = targets
+    if first is not None and second is not None:
+        sample = sample.joined(_common_targets(first, second))
+    return estimate_bending(sample, SHORTEST_HEIGHTS * height, least_gain)
+
+
+def _common_targets(first: TargetShifts, second: TargetShifts) -> ShiftSample:
+    """Targets of two epochs as observations of the difference of their frames."""
+    names = [name for name in first.ids if name in set(second.ids)]
+    a, b = [first.ids.index(name) for name in names], [second.ids.index(name) for name in names]
+    values = second.residuals[b] - first.residuals[a]
+    return ShiftSample(
+        places=first.positions[a][:, :2],
+        values=values,
+        variances=TARGET_CAUTION**2 * (first.variances[a] + second.variances[b]),
+        fixed=np.ones(len(names), dtype=bool),
+    )
+
+
+def _model(
+    bendings: Sequence[Bending | None], targets: Sequence[TargetShifts | None], height: float, least_gain: float
+) -> tuple[FieldModel | None, float]:
+    """Bend of one epoch from the clearest pair, or from targets alone where no pair has enough units."""
+    best, gain = None, 0.0
+    for bending in bendings:
+        if bending is not None and bending.model is not None and bending.gain > gain:
+            # the difference of two epochs varies twice as much as each
+            best, gain = bending.model.times(math.sqrt(0.5)), bending.gain
+    if best is not None or any(bending is not None for bending in bendings):
+        return best, gain
+    for own in targets:
+        if own is not None and len(own.ids) >= FEWEST_BENT_TARGETS:
+            model, found = _bend_of_targets(own, height, least_gain)
+            if model is not None and found > gain:
+                best, gain = model, found
+    return best, gain
+
+
+def _bend_of_targets(own: TargetShifts, height: float, least_gain: float) -> tuple[FieldModel | None, float]:
+    """Bend that the targets of one epoch show, and its gain over a rigid frame with targets as badly measured as that needs."""
+    stiff, bent = -math.inf, -math.inf
+    model = None
+    for noise in NOISE_FACTORS:
+        sample = ShiftSample(
+            places=own.positions[:, :2],
+            values=own.residuals,
+            variances=noise**2 * own.variances,
+            fixed=np.ones(len(own.ids), dtype=bool),
+        )
+        rigid = rigid_log_likelihood(sample)
+        found = estimate_bending(sample, SHORTEST_HEIGHTS * height, 0.0)
+        stiff = max(stiff, rigid)
+        if found.model is not None and rigid + found.gain > bent:
+            bent, model = rigid + found.gain, found.model
+    return (model, bent - stiff) if bent - stiff > least_gain else (None, bent - stiff)
+
+
+def _covariance(model: FieldModel, own: TargetShifts, noise: float) -> FloatArray:
+    """(3 k, 3 k) covariance of the residuals of k targets: rigid motion left free, bend, and their own errors."""
+    scaled = model.scaled(own.positions)
+    bend = np.kron(model.correlation(scaled, scaled), np.diag(np.square(model.sds)))
+    arm = own.positions - own.positions.mean(axis=0)
+    rigid = rigid_jacobian(arm)[:, :, :RIGID].reshape(-1, RIGID) * np.repeat([FREE_SHIFT, FREE_TURN], 3)
+    return np.asarray(bend + rigid @ rigid.T + np.diag(noise**2 * own.variances.ravel()))
+
+
+def _target_factors(model: FieldModel, targets: Sequence[TargetShifts]) -> tuple[float, float]:
+    """Factors of the bend and of the stated deviations under which targets are likeliest, disturbed ones weighing less."""
+    best, found = math.inf, (1.0, 1.0)
+    rest = [t for t in targets if len(t.ids) >= MIN_TARGETS + 1]
+    if not rest:
+        return found
+    for bend in BEND_FACTORS:
+        for noise in NOISE_FACTORS:
+            loss = 0.0
+            for own in rest:
+                statistics, log_determinants = _predicted(_covariance(model.times(bend), own, noise), own.residuals)[2:]
+                # a robust pseudo-likelihood (Besag, 1975): each target given the others, with the tails of t of five degrees
+                loss += float(np.sum(4.0 * np.log1p(statistics / 5.0) + 0.5 * log_determinants))
+            # without evidence things are as they are stated
+            loss += 0.5 * (math.log(bend) / math.log(2)) ** 2 + 0.5 * (math.log(noise) / math.log(4)) ** 2
+            if loss < best:
+                best, found = loss, (bend, noise)
+    return found
+
+
+def _predicted(covariance: FloatArray, residuals: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Each target less the prediction by all others (k, 3), its covariance (k, 3, 3), quadratic form and log determinant (k,)."""
+    inverse = np.linalg.inv(covariance)
+    solved = (inverse @ residuals.ravel()).reshape(-1, 3)
+    blocks = np.stack([inverse[3 * k : 3 * k + 3, 3 * k : 3 * k + 3] for k in range(len(residuals))])
+    spread = np.linalg.inv(blocks)
+    away = np.einsum("kij,kj->ki", spread, solved)
+    return away, spread, np.einsum("ki,ki->k", away, solved), np.linalg.slogdet(spread)[1]
+
+
+def _p_values(model: FieldModel, own: TargetShifts, noise: float, used: BoolArray) -> FloatArray:
+    return _outlier_p_values(model, own, noise, used)[1]
+
+
+def _outlier_p_values(model: FieldModel, own: TargetShifts, noise: float, used: BoolArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Each target less what the other used ones predict (k, 3), p-values (k,) and the covariance of the difference (k, 3, 3)."""
+    covariance = _covariance(model, own, noise)
+    away, spread = np.zeros((len(used), 3)), np.zeros((len(used), 3, 3))
+    inside = np.repeat(used, 3)
+    gap, block, statistics, _ = _predicted(covariance[np.ix_(inside, inside)], own.residuals[used])
+    away[used], spread[used] = gap, block
+    form = np.zeros(len(used))
+    form[used] = statistics
+    outside = np.flatnonzero(~used)
+    if len(outside):
+        gain = np.linalg.solve(covariance[np.ix_(inside, inside)], covariance[inside][:, np.repeat(~used, 3)]).T
+        away[outside] = own.residuals[outside] - (gain @ own.residuals[used].ravel()).reshape(-1, 3)
+        left = covariance[np.ix_(np.repeat(~used, 3), np.repeat(~used, 3))] - gain @ covariance[inside][:, np.repeat(~used, 3)]
+        for k, target in enumerate(outside):
+            spread[target] = left[3 * k : 3 * k + 3, 3 * k : 3 * k + 3]
+            form[target] = away[target] @ np.linalg.solve(spread[target], away[target])
+    degrees = max(3 * int(used.sum()) - 6, 3)
+    # the noise was chosen by all targets; a median misfit above it is noise that the factors do not hold
+    size = max(float(np.median(form[used])) / CHI2_3_MEDIAN, 1.0)
+    return away, np.asarray(fdtrc(3, degrees, form / 3 / size)), spread * size
+
+
+def _verdicts(model: FieldModel, own: TargetShifts, noise: float, used: BoolArray, field: FieldEstimate) -> TargetVerdicts:
+    away, p_values, spread = _outlier_p_values(model, own, noise, used)
+    w_max = np.max(np.abs(away) / np.sqrt(np.einsum("kii->ki", spread)), axis=1)
+    left = own.residuals - field.at(own.positions).means[:, :3]
+    return TargetVerdicts(residuals=np.where(used[:, None], left, away), w_max=w_max, p_values=p_values, used=used)

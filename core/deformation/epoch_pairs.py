@@ -1,0 +1,265 @@
+"""Two epochs compared: every unit's motion in both datums, with rigid frames or bent ones.
+
+What is common to the units around one, the error of the frames, is predicted by all others (leave one out) and taken from its motion.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..model.feature_points import feature_points
+from ..model.unit_types import UnitType
+from ..registration.frame_field import LocalMotions
+from .congruence import Congruence, NullModel, calibrate, congruence_of
+from .displacement import (
+    FramePart,
+    UnitMotion,
+    UnitPair,
+    adjusted_p_values,
+    classify,
+    relative_covariance,
+    turn_covariance,
+    turn_vector,
+    unit_motion,
+)
+from .elastic_congruence import ElasticDatum, elastic_congruence_of
+from .epoch_frames import EpochFrames, PairShifts
+from .identity import Track
+from .joint_records import JointAdjustment
+from .stretches import JudgedUnits, StretchMotion, motions_of_stretches
+from .tracked_epoch import TrackedEpoch, TrackedUnit
+
+DATUMS = ("stable", "control")
+
+
+@dataclass(frozen=True, eq=False)
+class PairMotion:
+    """A unit's motion in one pair and both datums, with what the frames brought into it."""
+
+    unit: int
+    motions: dict[str, UnitMotion]
+    classes: dict[str, str]
+    adjusted: dict[str, float]
+    frames: dict[str, FramePart]
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class EpochPair:
+    """Two epochs, earlier first, with their datum and all motions.
+
+    ``judged`` numbers those of ``units`` that are certain and stayed in place, on which the congruence rests; ``elastic`` holds both
+    datums as fields where the frames bend; ``stretches`` the common motion of stretches by datum.
+    """
+
+    first: int
+    second: int
+    congruence: Congruence
+    turn_null: NullModel
+    units: tuple[PairMotion, ...]
+    judged: IntArray
+    stretches: Mapping[str, Sequence[StretchMotion]]
+    elastic: ElasticDatum | None = None
+
+    @property
+    def calibration(self) -> tuple[float, float, float, float]:
+        """Factor and floor of positions, then of rotations."""
+        null, turn = self.congruence.null, self.turn_null
+        return null.factor, null.floor, turn.factor, turn.floor
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class _Members:
+    """Units with a pose in both epochs: numbers, pairs, whether each is certain and whether it was carried elsewhere."""
+
+    numbers: tuple[int, ...]
+    pairs: tuple[UnitPair, ...]
+    certain: BoolArray
+    carried: BoolArray
+
+    @property
+    def judged(self) -> IntArray:
+        return np.flatnonzero(self.certain & ~self.carried)
+
+    @property
+    def centres(self) -> FloatArray:
+        return np.array([p.before.positions[0] for p in self.pairs]).reshape(-1, 3)
+
+    @property
+    def vectors(self) -> FloatArray:
+        return np.array([p.after.positions[0] - p.before.positions[0] for p in self.pairs]).reshape(-1, 3)
+
+    @property
+    def covariances(self) -> FloatArray:
+        return np.array([relative_covariance(p.before, p.after, p.joint)[0] for p in self.pairs]).reshape(-1, 3, 3)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class TrackedUnits:
+    """Everything that is known of all units: types, identity, state by epoch, joint adjustment and the numbers of its sightings."""
+
+    types: Sequence[UnitType]
+    tracks: Sequence[Track]
+    states: Sequence[Mapping[int, TrackedUnit]]
+    joint: JointAdjustment
+    numbers: Mapping[tuple[int, int], int]
+
+
+def shifts_between(units: TrackedUnits, first: int, second: int) -> PairShifts:
+    """Displacements of the units on which a pair's datum may rest."""
+    members = _members(units, first, second)
+    own = members.judged
+    return PairShifts(places=members.centres[own], vectors=members.vectors[own], covariances=members.covariances[own])
+
+
+def compare_epochs(units: TrackedUnits, epochs: Sequence[TrackedEpoch], first: int, second: int, frames: EpochFrames | None) -> EpochPair:
+    """Motion of every unit between two epochs; ``frames`` where these bend."""
+    members = _members(units, first, second)
+    judged = members.judged
+    height = max(unit.height for unit in units.types)
+    degrees = (epochs[first].redundancy + epochs[second].redundancy) or math.inf
+    if frames is None:
+        congruence, parts = _rigid(members, epochs, first, second, height, degrees)
+        elastic = None
+    else:
+        congruence, elastic, parts = _elastic(members, frames, first, second, height, min(degrees, frames.degrees))
+    turns = np.array([p.turn for p in members.pairs]).reshape(-1, 3)
+    turn_covariances = np.array([p.turn_covariance for p in members.pairs]).reshape(-1, 3, 3)
+    turn_null = calibrate(turns[judged] - parts["stable"].means[judged, 3:], turn_covariances[judged], 1.0)
+    placement = epochs[second].placement
+    carried = None if placement is None else placement.covariance
+    tails = {"stable": congruence.null.tail, "control": congruence.control_tail}
+    own_frames = [
+        {
+            datum: FramePart(motion=parts[datum].means[i], covariance=parts[datum].covariances[i], degrees=tails[datum], carried=carried)
+            for datum in DATUMS
+        }
+        for i in range(len(members.numbers))
+    ]
+    motions = [
+        {datum: unit_motion(pair, congruence.null, turn_null, own[datum]) for datum in DATUMS}
+        for pair, own in zip(members.pairs, own_frames, strict=True)
+    ]
+    return EpochPair(
+        first=first, second=second, congruence=congruence, turn_null=turn_null,
+        units=_classified(members, motions, own_frames), judged=judged, elastic=elastic,
+        stretches=motions_of_stretches(_judged_units(members, congruence), congruence, elastic, height),
+    )  # fmt: skip
+
+
+def _members(units: TrackedUnits, first: int, second: int) -> _Members:
+    numbers, pairs, certain, carried = [], [], [], []
+    for k, states in enumerate(units.states):
+        a, b = states.get(first), states.get(second)
+        if a is None or b is None or a.pose is None or b.pose is None:
+            continue
+        both = joint_block(units.joint, k, units.numbers[k, first], units.numbers[k, second])
+        shape = unit_shape(units.types[units.tracks[k].kind], a.scale)
+        numbers.append(k)
+        pairs.append(
+            UnitPair(
+                before=feature_points(a.pose, shape), after=feature_points(b.pose, shape), joint=both,
+                turn=turn_vector(a.pose, b.pose), turn_covariance=turn_covariance(a.pose, b.pose, both),
+            )
+        )  # fmt: skip
+        certain.append("uncertain" not in (a.status, b.status))
+        carried.append(any(first < e <= second for e in units.tracks[k].relocated))
+    return _Members(
+        numbers=tuple(numbers), pairs=tuple(pairs), certain=np.array(certain, dtype=bool), carried=np.array(carried, dtype=bool)
+    )
+
+
+def _judged_units(members: _Members, congruence: Congruence) -> JudgedUnits:
+    own = members.judged
+    return JudgedUnits(
+        places=members.centres[own], vectors=members.vectors[own], covariances=congruence.null.covariance(members.covariances[own])
+    )
+
+
+def _rigid(
+    members: _Members, epochs: Sequence[TrackedEpoch], first: int, second: int, height: float, degrees: float
+) -> tuple[Congruence, dict[str, LocalMotions]]:
+    judged, centres, vectors, own = members.judged, members.centres, members.vectors, members.covariances
+    origin = centres[judged].mean(axis=0) if len(judged) else np.zeros(3)
+    prior = common_prior(epochs, first, second, origin)
+    congruence = congruence_of(vectors[judged], own[judged], centres[judged], prior, origin, height, degrees)
+    parts = {datum: congruence.rigid_motions(centres, datum) for datum in DATUMS}
+    used = np.zeros(len(centres))
+    used[judged] = congruence.stable
+    parts["stable"] = parts["stable"].without(vectors, congruence.null.covariance(own), used)
+    return congruence, parts
+
+
+def _elastic(
+    members: _Members, frames: EpochFrames, first: int, second: int, height: float, degrees: float
+) -> tuple[Congruence, ElasticDatum, dict[str, LocalMotions]]:
+    judged, centres, vectors, own = members.judged, members.centres, members.vectors, members.covariances
+    control, precision = frames.between(first, second)
+    congruence, datum = elastic_congruence_of(
+        vectors[judged], own[judged], centres[judged], control, precision, height, degrees, frames.jumped(first, second, centres[judged])
+    )
+    used = np.zeros(len(centres))
+    used[judged] = datum.used
+    stable = datum.stable.at(centres).without(vectors, congruence.null.covariance(own), used)
+    return congruence, datum, {"stable": stable, "control": control.at(centres)}
+
+
+def _classified(
+    members: _Members, motions: Sequence[dict[str, UnitMotion]], frames: Sequence[dict[str, FramePart]]
+) -> tuple[PairMotion, ...]:
+    judged = members.judged
+    adjusted, turn_adjusted = ({datum: np.ones(len(motions)) for datum in DATUMS} for _ in range(2))
+    for datum in DATUMS:
+        adjusted[datum][judged] = adjusted_p_values([motions[i][datum].p_values[0] for i in judged])
+        turn_adjusted[datum][judged] = adjusted_p_values([motions[i][datum].turn_p_value for i in judged])
+    return tuple(
+        PairMotion(
+            k,
+            motions[i],
+            {
+                datum: classify(
+                    float(adjusted[datum][i]), float(turn_adjusted[datum][i]), bool(members.certain[i]), bool(members.carried[i])
+                )
+                for datum in DATUMS
+            },
+            {datum: float(adjusted[datum][i]) for datum in DATUMS},
+            frames[i],
+        )
+        for i, k in enumerate(members.numbers)
+    )
+
+
+def joint_block(joint: JointAdjustment, unit: int, first: int, second: int) -> FloatArray:
+    """(12, 12) covariance of the poses of two sightings of a unit."""
+    order = joint.order[unit]
+    index = np.concatenate([6 * order.index(n) + np.arange(6) for n in (first, second)])
+    return np.asarray(joint.covariances[unit][np.ix_(index, index)])
+
+
+def unit_shape(unit: UnitType, scale: float) -> UnitType:
+    """Geometry of a unit whose size differs from the nominal one."""
+    return replace(unit, radius=unit.radius * scale, leg_length=unit.leg_length * scale)
+
+
+def common_prior(epochs: Sequence[TrackedEpoch], first: int, second: int, origin: FloatArray) -> FloatArray | None:
+    """(7, 7) covariance of the motion common to all units between two registered epochs, about ``origin``.
+
+    Epochs tied to the same one share the error of its registration, which drops out of their difference.
+    """
+    total = np.zeros((7, 7))
+    roots = []
+    for number in (first, second):
+        placement = epochs[number].placement
+        if placement is None:
+            return None
+        total += placement.covariance_at(origin)
+        tied_to = epochs[number].tied_to
+        roots.append(number if tied_to is None else tied_to)
+    shared = epochs[roots[0]].registration
+    if roots[0] == roots[1] and shared is not None:
+        total -= 2 * shared.covariance_at(origin)
+    return total

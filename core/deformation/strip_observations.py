@@ -1,0 +1,196 @@
+"""Points of a unit as observations of its pose, its size and the offsets of strips: distances from its surface, and their sums."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..adjustment.shape_effects import LEG_CELLS
+from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.kernels import kernel
+from ..model.mould import AXIAL_CELLS, AZIMUTH_CELLS, DISC_CELLS
+
+
+class Body(NamedTuple):
+    """A unit where its points are observed, for compiled loops.
+
+    Attributes
+    ----------
+    centre, rotation
+        (3,) metres and (3, 3), body to the axes of the points.
+    axes, across
+        (4, 3) directions of the legs, and (2, 4, 3) two directions across each.
+    discs
+        (4,) whether the end of the leg is a plane that may be used.
+    radius, gradient, length
+        Of the cones in the unit's own size, metres.
+    """
+
+    centre: FloatArray
+    rotation: FloatArray
+    axes: FloatArray
+    across: FloatArray
+    discs: BoolArray
+    radius: float
+    gradient: float
+    length: float
+
+
+class StripObservations(NamedTuple):
+    """Points of one sighting as observations at the present estimates.
+
+    Attributes
+    ----------
+    rows
+        (n, 7) derivatives of the distances by pose and scale.
+    residuals
+        (n,) distances, metres.
+    patches
+        (n,) patch of the surface; -1 for points that are left out.
+    strips
+        (n,) number of the strip or station.
+    """
+
+    rows: FloatArray
+    residuals: FloatArray
+    patches: IntArray
+    strips: IntArray
+
+
+def observations(points: FloatArray, strips: IntArray, offsets: FloatArray, body: Body, *, margin: float, tip: float) -> StripObservations:
+    """Observations of (n, 3) points of (n,) strips with (s, 3) offsets, metres.
+
+    Points nearer to a crease than ``margin`` are left out; beyond ``tip`` along a leg the cone counts only if the end disc holds it.
+    """
+    n = len(points)
+    found = StripObservations(np.zeros((n, 7)), np.zeros(n), np.full(n, -1, dtype=np.int64), strips)
+    _observe(np.ascontiguousarray(points, dtype=np.float64), strips, offsets, body, (margin, tip), found)
+    return found
+
+
+@kernel()
+def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, found: Any) -> None:
+    """Distances, rows and patch of every point of one sighting into ``found``; points nearer to a crease than the first of the limits are
+    left out.
+
+    Beyond the second of the limits along a leg, where tips are rounded, the cone counts only if the end disc holds it.
+    """
+    centre, rotation, axes, across, discs, r, c, length = body
+    margin, tip = limits
+    rows, residual, patch, _ = found
+    cosine = 1.0 / math.sqrt(1.0 + c * c)
+    end_radius = r - c * length
+    for i in range(points.shape[0]):
+        s = strip[i]
+        px = points[i, 0] - offsets[s, 0] - centre[0]
+        py = points[i, 1] - offsets[s, 1] - centre[1]
+        pz = points[i, 2] - offsets[s, 2] - centre[2]
+        x = rotation[0, 0] * px + rotation[1, 0] * py + rotation[2, 0] * pz
+        y = rotation[0, 1] * px + rotation[1, 1] * py + rotation[2, 1] * pz
+        z = rotation[0, 2] * px + rotation[1, 2] * py + rotation[2, 2] * pz
+        leg = 0
+        axial = -1e300
+        for k in range(4):
+            lean = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
+            if lean > axial:
+                axial, leg = lean, k
+        ax, ay, az = axes[leg, 0], axes[leg, 1], axes[leg, 2]
+        patch[i] = -1
+        # points at a crease may belong to either leg: left out, for their distance is biased
+        at_crease = False
+        for k in range(4):
+            if k != leg:
+                qx, qy, qz = ax - axes[k, 0], ay - axes[k, 1], az - axes[k, 2]
+                if x * qx + y * qy + z * qz < margin * math.sqrt(qx * qx + qy * qy + qz * qz):
+                    at_crease = True
+        if at_crease:
+            continue
+        ux, uy, uz = x - axial * ax, y - axial * ay, z - axial * az
+        rho = math.sqrt(ux * ux + uy * uy + uz * uz) + 1e-300
+        ux, uy, uz = ux / rho, uy / rho, uz / rho
+        side = (rho - r + c * axial) * cosine
+        end = axial - length
+        if end > -margin or (axial > tip and not discs[leg]):
+            if not discs[leg] or rho > end_radius - margin or end < side:
+                continue
+            nx, ny, nz = ax, ay, az
+            e = end
+            scale_row = -length
+            disc = True
+        else:
+            nx, ny, nz = (ux + c * ax) * cosine, (uy + c * ay) * cosine, (uz + c * az) * cosine
+            e = side
+            scale_row = -r * cosine
+            disc = False
+        first = ux * across[0, leg, 0] + uy * across[0, leg, 1] + uz * across[0, leg, 2]
+        second = ux * across[1, leg, 0] + uy * across[1, leg, 1] + uz * across[1, leg, 2]
+        turn = (math.atan2(second, first) / (2.0 * math.pi)) % 1.0
+        if disc:
+            patch[i] = leg * LEG_CELLS + AXIAL_CELLS * AZIMUTH_CELLS + min(int(turn * DISC_CELLS), DISC_CELLS - 1)
+        else:
+            ring = min(max(int(axial / length * AXIAL_CELLS), 0), AXIAL_CELLS - 1)
+            patch[i] = leg * LEG_CELLS + ring * AZIMUTH_CELLS + min(int(turn * AZIMUTH_CELLS), AZIMUTH_CELLS - 1)
+        residual[i] = e
+        mx, my, mz = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
+        for m in range(3):
+            rows[i, m] = -(rotation[m, 0] * nx + rotation[m, 1] * ny + rotation[m, 2] * nz)
+            rows[i, m + 3] = rotation[m, 0] * mx + rotation[m, 1] * my + rotation[m, 2] * mz
+        rows[i, 6] = scale_row
+
+
+@kernel()
+def accumulate(seen: Any, window: Any, expected: Any, equations: Any, cells: Any, places: Any) -> int:
+    """Add one sighting to its unit's normal equations and to its cells; returns the number of points with weight.
+
+    Parameters
+    ----------
+    seen
+        :class:`StripObservations`.
+    window
+        Standard deviation of a point, metres, and from how many of these on a point has no weight.
+    expected
+        (CELLS,) what the cells deviate by, metres.
+    equations
+        Normal matrix and right-hand side of the unit, which are added to.
+    cells
+        Sums by cell as in :class:`.shape_effects.CellSums`, which are added to.
+    places
+        Number of the sighting within the unit, number of the unit's pose unknowns, and (n,) the strip of each point among the unit's.
+    """
+    rows, residual, patch, _ = seen
+    sigma, tukey = window
+    normal, rhs = equations
+    patch_rows, patch_weight, patch_rhs, patch_square = cells
+    body, n_pose, strip_local = places
+    index = np.zeros(10, dtype=np.int64)
+    value = np.zeros(10)
+    used = 0
+    for i in range(rows.shape[0]):
+        if patch[i] < 0:
+            continue
+        u = (residual[i] - expected[patch[i]]) / (sigma * tukey)
+        if abs(u) >= 1.0:
+            continue
+        w = (1.0 - u * u) ** 2 / (sigma * sigma)
+        used += 1
+        for m in range(6):
+            index[m] = 6 * body + m
+            value[m] = rows[i, m]
+        index[6] = n_pose
+        value[6] = rows[i, 6]
+        for m in range(3):
+            index[7 + m] = n_pose + 1 + 3 * strip_local[i] + m
+            value[7 + m] = rows[i, m]
+        k = patch[i]
+        patch_weight[k] += w
+        patch_rhs[k] -= w * residual[i]
+        patch_square[k] += w * residual[i] * residual[i]
+        for a in range(10):
+            wa = w * value[a]
+            rhs[index[a]] -= wa * residual[i]
+            patch_rows[k, index[a]] += wa
+            for b in range(10):
+                normal[index[a], index[b]] += wa * value[b]
+    return used

@@ -1,0 +1,357 @@
+"""Offsets of flight strips and scanner stations, estimated jointly with the poses of all units: the units are the tie objects.
+
+Observation of point i on unit u in epoch t, from source s (LAS point_source_id), on patch k of the unit's surface:
+
+    distance(p_i - o_s; pose_ut, scale_u) = b_uk + noise
+
+with o_s the offset of the source, and b_uk the deviation of the patch from the ideal cone (mould, roughness, growth). A patch keeps
+its deviation over the epochs, so that it does not pass into displacements, and the points on one patch are rightly not counted as
+independent. Patches and poses are eliminated from the normal equations unit by unit (Foerstner and Wrobel, 2016, Photogrammetric
+Computer Vision, 15.3), which leaves a small system of the offsets alone. Offsets are pseudo-observed as zero with a standard
+deviation: an offset common to all sources of an epoch cannot be told from a shift of the cloud, and stays in the registration.
+
+Points are read anew for every look at them, and what is kept of a unit is its reduced normal equations: memory does not grow with the
+number of points.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ..adjustment.shape_effects import CELLS, LEG_CELLS, CellSums
+from ..common.arrays import FloatArray, IntArray
+from ..common.robust import MAD_TO_SD, TUKEY
+from ..model.mould import Mould
+from ..model.pose import Pose
+from ..model.tetrapod import TIP_RATIO, leg_frame
+from ..model.unit_types import UnitType
+from ..registration.bending import axis_of
+from .cast_surfaces import CastSurfaces
+from .joint_records import JointAdjustment, UnitSighting
+from .streamed_median import StreamedMedian
+from .strip_drifts import DriftSystem, Knots, StripDrifts, UnitEquations
+from .strip_observations import Body, StripObservations, accumulate, observations
+from .strip_systems import DriftStep, OffsetSystem, StripSystem, StripValues, UnitBlock
+from .unit_clouds import by_home
+
+MAX_ITERATIONS = 8
+
+CONVERGED = 0.01
+"""Largest last step of nine tenths of the units, over the noise of one point."""
+
+LEARNING_ITERATIONS = (1, 3)
+"""After which the surfaces of the units are learned, with the poses as they are then."""
+
+UNKNOWN_NOISE_RATIO = 0.005
+"""Noise over the height of a unit where no epoch holds enough points to estimate it."""
+
+LEAST_DRIFT = 0.25
+"""Drift over the whole structure, over the noise of a point, from which strips are not held stiff."""
+
+
+def adjust_jointly(
+    sightings: Sequence[UnitSighting],
+    *,
+    offset_sd: float | None = None,
+    scale_sd: float | None = None,
+    moulds: Mapping[UnitType, Mould] = MappingProxyType({}),
+) -> JointAdjustment:
+    """Adjust the poses of all units in all epochs together with the offsets of strips or stations.
+
+    Parameters
+    ----------
+    sightings
+        Units as identified over the epochs; a unit has at most one sighting an epoch.
+    offset_sd
+        A priori standard deviation of an offset in metres, 0 to estimate none; None for the noise of the epoch.
+    scale_sd
+        Relative spread of unit sizes; 0 holds the size, None learns it.
+    moulds
+        What earlier surveys say of the castings of a type; of others it is learned.
+    """
+    solver = _JointSolver(sightings, offset_sd, scale_sd, moulds)
+    return solver.solve()
+
+
+class _JointSolver:
+    """State of the joint adjustment."""
+
+    def __init__(
+        self, sightings: Sequence[UnitSighting], offset_sd: float | None, scale_sd: float | None, moulds: Mapping[UnitType, Mould]
+    ) -> None:
+        self.sightings = list(sightings)
+        self.scale_sd = scale_sd
+        self.offset_sd = offset_sd
+        self.epochs = 1 + max((s.epoch for s in sightings), default=-1)
+        self.strips: dict[tuple[int, int], int] = {}
+        self.strips_of = [
+            np.array([self.strips.setdefault((s.epoch, int(i)), len(self.strips)) for i in s.cloud.ids], dtype=np.int64)
+            for s in self.sightings
+        ]
+        self.values = StripValues(offsets=np.zeros((len(self.strips), 3)), drifts=np.zeros((0, len(self.strips), 3)))
+        self.strip_epoch = np.array([epoch for epoch, _ in self.strips], dtype=np.int64)
+        self.order: dict[int, tuple[int, ...]] = {}
+        for k, s in sorted(enumerate(self.sightings), key=lambda item: item[1].epoch):
+            self.order[s.unit] = (*self.order.get(s.unit, ()), k)
+        self.place_of = {unit: k for k, unit in enumerate(self.order)}
+        self.knots: Knots | None = None
+        self.rate: float | None = None
+        self.reading = by_home((unit, tuple(self.sightings[k].cloud for k in own)) for unit, own in self.order.items())
+        self.across = {shape: np.stack(leg_frame(shape)) for shape in {s.shape for s in self.sightings}}
+        self.centres = [np.array(s.pose.centre) for s in self.sightings]
+        self.rotations = [np.array(s.pose.rotation, order="C") for s in self.sightings]
+        self.scales = dict.fromkeys(self.order, 0.0)
+        self.noise = np.full(max(self.epochs, 1), math.nan)
+        self.surface_sd = 0.0
+        self.used = np.zeros(len(self.sightings), dtype=np.int64)
+        shapes = sorted({s.shape for s in self.sightings}, key=repr)
+        self.surfaces = {shape: CastSurfaces(shape.height, moulds.get(shape)) for shape in shapes}
+
+    def observed(self, noise: FloatArray) -> Iterator[tuple[int, list[StripObservations]]]:
+        """Every unit with its observations by sighting, in the order in which they are read with least effort; ``noise`` by epoch sets how
+        near to a crease points are left out.
+        """
+        for unit in self.reading:
+            yield unit, [self.observe(k, float(noise[self.sightings[k].epoch])) for k in self.order[unit]]
+
+    def observe(self, number: int, noise: float) -> StripObservations:
+        s = self.sightings[number]
+        unit = s.shape
+        grown = 1 + self.scales[s.unit]
+        margin = 0.03 * unit.radius if math.isnan(noise) else max(1.5 * noise, 0.01 * unit.radius)
+        points, sources = s.cloud.read()
+        offsets = self.offsets_at(s.unit)
+        strips = np.zeros(0, dtype=np.int64) if not len(sources) else self.strips_of[number][np.searchsorted(s.cloud.ids, sources)]
+        body = Body(
+            centre=self.centres[number],
+            rotation=self.rotations[number],
+            axes=np.ascontiguousarray(unit.leg_directions),
+            across=self.across[unit],
+            discs=np.asarray(s.discs, dtype=np.bool_),
+            radius=unit.radius * grown,
+            gradient=unit.gradient,
+            length=unit.leg_length * grown,
+        )
+        return observations(points, strips, offsets, body, margin=margin, tip=TIP_RATIO * unit.leg_length * grown)
+
+    def estimate_noise(self) -> None:
+        """Noise by epoch from residuals less their patch's mean; spread of the patches beyond what noise explains."""
+        before = self.noise.copy()
+        within = [StreamedMedian() for _ in range(self.epochs)]
+        spread, share = StreamedMedian(), StreamedMedian()
+        settled = False
+        while not settled:
+            for unit, sightings in self.observed(before):
+                for k, seen in zip(self.order[unit], sightings, strict=True):
+                    self._add_deviations(seen, within[self.sightings[k].epoch], spread, share)
+            # every one has to be asked: the answer is what makes it look closer
+            settled = {median.settled() for median in (*within, spread, share)} == {True}
+        for epoch, median in enumerate(within):
+            if not math.isnan(median.value):
+                self.noise[epoch] = MAD_TO_SD * median.value
+        height = max(s.shape.height for s in self.sightings)
+        known = self.noise[np.isfinite(self.noise)]
+        self.noise[np.isnan(self.noise)] = np.median(known) if len(known) else UNKNOWN_NOISE_RATIO * height
+        # points without noise have no weights, surfaces without deviations no prior
+        self.noise = np.maximum(self.noise, 1e-7 * height)
+        noise = float(np.median(self.noise))
+        beyond = 0.0 if math.isnan(spread.value) else (MAD_TO_SD * spread.value) ** 2 - noise**2 * share.value
+        self.surface_sd = math.sqrt(max(beyond, (0.05 * noise) ** 2))
+
+    @staticmethod
+    def _add_deviations(seen: StripObservations, within: StreamedMedian, spread: StreamedMedian, share: StreamedMedian) -> None:
+        """Deviations of one sighting's points from the means of their patches, of these means from the cones, and one over the points of
+        each patch.
+        """
+        good = seen.patches >= 0
+        if good.sum() < 10:
+            return
+        e, p = seen.residuals[good], seen.patches[good]
+        keep = np.abs(e) < 6 * MAD_TO_SD * np.median(np.abs(e))
+        e, p = e[keep], p[keep]
+        counts = np.bincount(p, minlength=4 * LEG_CELLS)
+        sums = np.bincount(p, e, minlength=4 * LEG_CELLS)
+        mean = sums / np.maximum(counts, 1)
+        full = counts >= 4
+        inside = full[p]
+        within.add(np.abs((e - mean[p])[inside] * np.sqrt(counts[p] / np.maximum(counts[p] - 1, 1))[inside]))
+        spread.add(np.abs(mean[full]))
+        share.add(1 / counts[full])
+
+    def equations(self, unit: int, sightings: Sequence[StripObservations]) -> tuple[FloatArray, FloatArray, IntArray]:
+        """Normal equations of one unit after elimination of its patches: poses, scale, then its strips (global numbers returned)."""
+        members = self.order[unit]
+        touched = np.unique(np.concatenate([self.strips_of[k] for k in members]))
+        n_pose = 6 * len(members)
+        size = n_pose + 1 + 3 * len(touched)
+        normal, rhs = np.zeros((size, size)), np.zeros(size)
+        surface = self.surfaces[self.sightings[members[0]].shape]
+        cells = []
+        for body, (k, seen) in enumerate(zip(members, sightings, strict=True)):
+            local = np.searchsorted(touched, seen.strips)
+            noise = float(self.noise[self.sightings[k].epoch])
+            # once the surface is known, points are judged against it
+            window = math.hypot(noise, surface.roughness if surface.learned else self.surface_sd)
+            sums = CellSums(np.zeros((CELLS, size)), np.zeros(CELLS), np.zeros(CELLS), np.zeros(CELLS), noise)
+            self.used[k] = accumulate(
+                seen,
+                (noise, TUKEY * window / noise),
+                surface.expected(unit),
+                (normal, rhs),
+                (sums.rows, sums.weight, sums.rhs, sums.square),
+                (body, n_pose, local),
+            )
+            cells.append(sums)
+        normal, rhs = surface.reduced(unit, self.scales[unit], normal, rhs, cells, n_pose + 1)
+        mean, sd = (surface.model.size_mean, surface.model.size_sd) if self.scale_sd is None else (0.0, max(self.scale_sd, 1e-9))
+        normal[n_pose, n_pose] += 1 / sd**2
+        rhs[n_pose] -= (self.scales[unit] - mean) / sd**2
+        return normal, rhs, touched
+
+    def offset_prior(self) -> FloatArray:
+        """(3 s,) weights of the pseudo-observations."""
+        sd = self.noise[self.strip_epoch] if self.offset_sd is None else np.full(len(self.strip_epoch), max(self.offset_sd, 1e-12))
+        return np.repeat(1 / sd**2, 3)
+
+    def solve(self) -> JointAdjustment:
+        if not self.sightings:
+            return JointAdjustment(
+                poses=(),
+                covariances={},
+                order={},
+                offsets={},
+                offset_sds={},
+                scales={},
+                scale_sds={},
+                noise=self.noise,
+                surface_sd=0.0,
+                used=self.used,
+            )
+        blocks, strips = self.iterate()
+        if self.let_drift(blocks):
+            blocks, strips = self.iterate()
+        return self.result(blocks, strips)
+
+    def iterate(self) -> tuple[dict[int, UnitBlock], StripSystem]:
+        """Adjust poses, sizes and strips to convergence; blocks of the units and system of the strips of the last step."""
+        for iteration in range(MAX_ITERATIONS):
+            before = self.noise.copy()
+            if iteration < 4:
+                self.estimate_noise()
+            # those of the last step go before the next ones come: two sets would be twice the memory
+            blocks: dict[int, UnitBlock] = {}
+            # the noise is known better by now, but it must judge the points that it was estimated from
+            blocks = self.reduce(before)
+            if iteration in LEARNING_ITERATIONS:
+                for surface in self.surfaces.values():
+                    surface.learn()
+            strips = self.strip_system(blocks)
+            steps = [strips.apply(self.values)]
+            for unit, block in blocks.items():
+                change = block.inverse @ (block.rhs - block.coupling @ strips.change(unit, block.strips))
+                steps.append(float(np.abs(change[:-1].reshape(-1, 6)[:, :3]).max()))
+                for body, k in enumerate(self.order[unit]):
+                    self.centres[k] = self.centres[k] + change[6 * body : 6 * body + 3]
+                    turn = Rotation.from_rotvec(change[6 * body + 3 : 6 * body + 6]).as_matrix()
+                    self.rotations[k] = np.ascontiguousarray(turn @ self.rotations[k])
+                self.scales[unit] += float(change[-1])
+            # units that are hardly determined go on wandering within their deviations: the rest decides
+            step = max(steps[0], float(np.quantile(steps, 0.9)))
+            if iteration > LEARNING_ITERATIONS[-1] and step < CONVERGED * float(np.nanmin(self.noise)):
+                break
+        return blocks, strips
+
+    def reduce(self, noise: FloatArray) -> dict[int, UnitBlock]:
+        """Eliminate the units, observed with the ``noise`` by epoch: their blocks, and what each says of its strips."""
+        blocks = {}
+        for unit, sightings in self.observed(noise):
+            normal, rhs, touched = self.equations(unit, sightings)
+            own = 6 * len(self.order[unit]) + 1
+            inverse = _inverse(normal[:own, :own], self.sightings[self.order[unit][0]].shape.leg_length)
+            # copies: a view would keep the whole of the unit's equations in memory
+            coupling = normal[:own, own:].copy()
+            blocks[unit] = UnitBlock(
+                inverse_upper=inverse[np.triu_indices(own)],
+                coupling=coupling,
+                rhs=rhs[:own].copy(),
+                strips=touched,
+                strip_upper=(normal[own:, own:] - coupling.T @ inverse @ coupling)[np.triu_indices(normal.shape[0] - own)],
+                strip_rhs=rhs[own:] - coupling.T @ inverse @ rhs[:own],
+            )
+        return blocks
+
+    def strip_system(self, blocks: Mapping[int, UnitBlock]) -> StripSystem:
+        """Strips with offsets alone, or with drifts where :meth:`let_drift` found them."""
+        if self.knots is None or self.rate is None:
+            return OffsetSystem(self.offset_prior(), self.strip_epoch, self.values.offsets, blocks.values())
+        return DriftStep(self.drift_system(self.knots, blocks), self.rate, self.values.drifts)
+
+    def drift_system(self, knots: Knots, blocks: Mapping[int, UnitBlock]) -> DriftSystem:
+        equations = [
+            UnitEquations(unit=self.place_of[unit], strips=b.strips, normal=b.strip_normal, rhs=b.strip_rhs) for unit, b in blocks.items()
+        ]
+        return DriftSystem(knots, self.strip_epoch, equations, 1 / np.sqrt(self.offset_prior()[::3]), self.place_of)
+
+    def let_drift(self, blocks: Mapping[int, UnitBlock]) -> bool:
+        """Decide whether strips drift along the structure, and lay knots for it."""
+        if self.offset_sd == 0 or len(self.strips) < 2:
+            return False
+        places = np.array([self.centres[own[0]] for own in self.order.values()])
+        height = max(s.shape.height for s in self.sightings)
+        knots = Knots.along(places, axis_of(places[:, :2])[0], height)
+        if knots is None:
+            return False
+        rate = self.drift_system(knots, blocks).rate(height)[0]
+        # what stays far below the noise of a point is left in the surface deviations, which hold it as well
+        if rate is None or rate * math.sqrt(knots.length) < LEAST_DRIFT * float(np.median(self.noise)):
+            return False
+        self.knots, self.rate = knots, rate
+        self.values.drifts = np.zeros((knots.count, len(self.strips), 3))
+        return True
+
+    def offsets_at(self, unit: int) -> FloatArray:
+        """(s, 3) offsets of all strips where a unit lies, metres."""
+        if self.knots is None:
+            return self.values.offsets
+        (a, wa), (b, wb) = self.knots.weights(self.place_of[unit])
+        return np.asarray(self.values.offsets + wa * self.values.drifts[a] + wb * self.values.drifts[b])
+
+    def result(self, blocks: Mapping[int, UnitBlock], strips: StripSystem) -> JointAdjustment:
+        covariances, scale_sds = {}, {}
+        for unit, block in blocks.items():
+            inverse = block.inverse
+            lever = inverse @ block.coupling
+            full = inverse + lever @ strips.covariance(unit, block.strips) @ lever.T
+            covariances[unit], scale_sds[unit] = full[:-1, :-1], math.sqrt(full[-1, -1])
+        poses = []
+        for centre, rotation in zip(self.centres, self.rotations):
+            u, _, vt = np.linalg.svd(rotation)
+            poses.append(Pose(centre, u @ vt))
+        return JointAdjustment(
+            poses=tuple(poses),
+            covariances=covariances,
+            order=self.order,
+            offsets={key: self.values.offsets[k] for key, k in self.strips.items()},
+            offset_sds={key: strips.offset_sds()[k] for key, k in self.strips.items()},
+            scales=self.scales,
+            scale_sds=scale_sds,
+            noise=self.noise,
+            surface_sd=self.surface_sd,
+            used=self.used,
+            drifts=None
+            if self.knots is None
+            else StripDrifts(knots=self.knots, numbers=self.strips, values=self.values.drifts, places=self.place_of),
+            surfaces={shape: surface.model for shape, surface in self.surfaces.items()},
+        )
+
+
+def _inverse(normal: FloatArray, length: float) -> FloatArray:
+    """Inverse of a unit's block; a direction the points do not determine is held by a weak prior (unit's size, a full turn)."""
+    poses = (len(normal) - 1) // 6
+    prior = np.array(([1 / length**2] * 3 + [1.0] * 3) * poses + [0.0])
+    return np.asarray(np.linalg.inv(normal + np.diag(prior)))

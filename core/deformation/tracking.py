@@ -1,0 +1,472 @@
+"""Units through all epochs: identity, joint adjustment, datum, displacements. Arrays in, frozen results out; no files.
+
+Everything here is in the control frame less one reduction point.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import block_diag
+from scipy.spatial import cKDTree
+
+from ..common.arrays import FloatArray, IntArray
+from ..common.robust import sd_of_deviations
+from ..model.feature_points import FEATURES, FeaturePoints, feature_points
+from ..model.mould import Mould
+from ..model.tetrapod import relate
+from ..model.unit_types import UnitType
+from ..registration.frame_field import LocalMotions
+from ..registration.transformation import Transformation, mean_offset_variance
+from ..segmentation.leg_ends import LegEnds
+from ..segmentation.surface_elements import surface_noise
+from .congruence import PoseCalibration
+from .cross_check import CrossCheck, cross_check
+from .displacement import SECONDS_PER_YEAR, FramePart, Velocity, velocity
+from .epoch_frames import EpochFrames, FrameChoice, estimate_frames
+from .epoch_pairs import EpochPair, TrackedUnits, compare_epochs, joint_block, shifts_between, unit_shape
+from .fitted_unit import FittedUnit
+from .identity import FoundUnits, Track, identify
+from .joint_records import JointAdjustment, UnitSighting
+from .presence import look_up, settled_on
+from .relocation import join_relocated
+from .strip_offsets import adjust_jointly
+from .tracked_epoch import TrackedEpoch, TrackedUnit
+from .unit_clouds import UnitCloud, by_home
+
+MIN_RECOVERED_POINTS = 60
+LOOK_UP_RATIO, LOOK_UP_NOISE = 0.025, 3.0
+"""Distance of a point from where another epoch predicts a unit's surface, as a share of the height and in standard deviations of a point's
+noise, up to which it lies on it: whichever is more, as a window narrower than the noise keeps only the points that the prediction likes."""
+LOOK_UP_REACHES = 1.35
+"""Distance from a missing unit's centre, in reaches of a unit, in which its place is looked at."""
+NEIGHBOURS = 9
+"""Units whose median motion says where a unit would be that one epoch does not show."""
+SAME_PLACE_HEIGHTS = 0.5
+"""Distance of two centres, in unit heights, within which no two solids fit."""
+SAME_POINT = 1e-4
+"""Distance in metres below which a point of the cloud is the point of a unit."""
+LEAST_SIZE_SPREAD = 0.003
+"""Relative standard deviation of the size of units from one set of moulds, at the least."""
+ODD_SIZE = 4.5
+"""Deviation of a unit's size from that of the others, in standard deviations, above which something else was fitted."""
+RECOVERED_SCORE = 0.8
+"""Probability below which one detection does not vouch for the unit in an epoch where it was not detected."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Tracking:
+    """Result of :func:`track`.
+
+    Attributes
+    ----------
+    kinds
+        Type of unit by physical unit.
+    units
+        By physical unit: epoch index to its state.
+    registrations
+        By epoch: transformation to control with the uncertainty of the mean offset of its strips or stations added.
+    pairs
+        All pairs of epochs.
+    calibrations
+        By epoch: what its pairs say of the covariances of its poses.
+    joint
+        Joint adjustment with offsets of strips and stations.
+    cross_checks
+        (pair of epochs, physical unit) to direct registration of the unit's points, for consecutive epochs.
+    velocities
+        Physical unit to velocities by feature, for units seen in more than two epochs.
+    shifts
+        (e, 3) common shift between the clouds that identity removed, metres.
+    frames
+        How the epochs' frames bend; None where they are rigid.
+    """
+
+    kinds: tuple[int, ...]
+    units: tuple[dict[int, TrackedUnit], ...]
+    registrations: tuple[Transformation | None, ...]
+    pairs: tuple[EpochPair, ...]
+    calibrations: tuple[PoseCalibration, ...]
+    joint: JointAdjustment
+    cross_checks: dict[tuple[int, int, int], CrossCheck]
+    velocities: dict[int, tuple[Velocity, ...]]
+    shifts: FloatArray
+    frames: EpochFrames | None = None
+
+    def frame_error(self, epoch: int, points: FloatArray) -> LocalMotions | None:
+        """Error of an epoch's registered cloud at (k, 3) points as its targets see it; None where its frame is rigid or has no targets."""
+        error = None if self.frames is None else self.frames.errors[epoch]
+        return None if error is None else error.at(points)
+
+
+Surroundings = Callable[[int, FloatArray, float], tuple[FloatArray, NDArray[np.integer]]]
+"""Points and sources of an epoch (index) within a distance of (k, 3) places, control frame less the reduction point."""
+
+
+def track(
+    epochs: Sequence[TrackedEpoch],
+    units: Sequence[UnitType],
+    surroundings: Surroundings | None = None,
+    frame: FrameChoice = "auto",
+    moulds: Sequence[Mould | None] = (),
+) -> Tracking:
+    """Follow all units through all epochs.
+
+    Parameters
+    ----------
+    epochs
+        In order of time.
+    units
+        Types of unit.
+    surroundings
+        Reads an epoch's cloud around places, to recover units that another epoch predicts and to tell lost from unseen; without
+        it units that are not found are ``unseen``. The points of recovered units, a few in a hundred, stay in memory.
+    frame
+        Whether frames may bend.
+    moulds
+        By type of unit, the mould that an earlier survey has learned, or None; empty for none of any.
+    """
+    found = [
+        FoundUnits(
+            tuple(u.pose for u in e.units),
+            np.array([u.kind for u in e.units], dtype=np.int64),
+            np.array([u.certain for u in e.units], dtype=bool),
+        )
+        for e in epochs
+    ]
+    identities = identify(found, units)
+    tracks = list(identities.tracks)
+    seen: list[dict[int, FittedUnit]] = [{e: epochs[e].units[row].relabelled(t.symmetries[e]) for e, row in t.rows.items()} for t in tracks]
+    states, recovered = _look_for_missing(epochs, tracks, seen, units, identities.shifts, surroundings)
+    for unit, epoch, sighting in recovered:
+        seen[unit][epoch] = sighting
+    tracks, seen, states = _without_rivals(tracks, seen, states, recovered)
+    tracks, seen, states = join_relocated(tracks, seen, states, identities.shifts)
+    joint, numbers = _adjust(seen, {unit: mould for unit, mould in zip(units, moulds) if mould is not None})
+    epochs = [_with_mean_offset(e, k, joint) for k, e in enumerate(epochs)]
+    odd = _odd_sizes(joint, np.array([t.kind for t in tracks], dtype=np.int64), units)
+    tracked = [_states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
+    known = TrackedUnits(types=units, tracks=tracks, states=tracked, joint=joint, numbers=numbers)
+    frames = _frames(known, epochs, frame)
+    pairs = tuple(compare_epochs(known, epochs, a, b, frames) for a, b in combinations(range(len(epochs)), 2))
+    calibrations = tuple(PoseCalibration.of_pairs([p.calibration for p in pairs if k in (p.first, p.second)]) for k in range(len(epochs)))
+    checks = _cross_checks(seen, joint, numbers, len(epochs))
+    velocities = _velocities(epochs, units, tracks, tracked, pairs, calibrations) if len(epochs) > 2 else {}
+    return Tracking(
+        kinds=tuple(t.kind for t in tracks),
+        units=tuple(tracked),
+        registrations=tuple(e.placement for e in epochs),
+        pairs=pairs,
+        calibrations=calibrations,
+        joint=joint,
+        cross_checks=checks,
+        velocities=velocities,
+        shifts=identities.shifts,
+        frames=frames,
+    )
+
+
+def _frames(units: TrackedUnits, epochs: Sequence[TrackedEpoch], choice: FrameChoice) -> EpochFrames | None:
+    """Frames of all epochs, from the pairs that follow each other and from targets."""
+    places = [s.pose.centre for states in units.states for s in states.values() if s.pose is not None]
+    height = max(unit.height for unit in units.types)
+    pairs = [shifts_between(units, k, k + 1) for k in range(len(epochs) - 1)]
+    return estimate_frames(pairs, [e.targets for e in epochs], np.array(places).reshape(-1, 3), height, choice)
+
+
+def _look_for_missing(
+    epochs: Sequence[TrackedEpoch],
+    tracks: Sequence[Track],
+    seen: Sequence[dict[int, FittedUnit]],
+    units: Sequence[UnitType],
+    shifts: FloatArray,
+    surroundings: Surroundings | None,
+) -> tuple[list[dict[int, str]], list[tuple[int, int, FittedUnit]]]:
+    """State of every unit in the epochs that do not show it, and units recovered where another epoch predicts them."""
+    states: list[dict[int, str]] = [{} for _ in tracks]
+    recovered: list[tuple[int, int, FittedUnit]] = []
+    wanted: dict[int, list[tuple[int, int]]] = {}
+    for unit, sightings in enumerate(seen):
+        certain = [e for e, s in sightings.items() if s.certain]
+        for epoch in range(len(epochs)):
+            if epoch not in sightings and certain:
+                reference = min(certain, key=lambda e: (abs(e - epoch), e))
+                wanted.setdefault(epoch, []).append((unit, reference))
+                states[unit][epoch] = "hidden"
+    if surroundings is None:
+        return states, recovered
+    reach = max(u.reach for u in units) * LOOK_UP_REACHES
+    for epoch, items in sorted(wanted.items()):
+        owners = [u for u in epochs[epoch].units if u.certain]
+        owner_tree = cKDTree(np.array([u.pose.centre for u in owners]).reshape(-1, 3))
+        # units of one home lie together: their surroundings are read together, and no more than these at a time
+        homes: dict[tuple[int, ...], list[tuple[int, int]]] = {}
+        for unit, reference in items:
+            homes.setdefault((reference, *seen[unit][reference].cloud.home), []).append((unit, reference))
+        for (reference, *_), group in sorted(homes.items()):
+            centres = np.array([seen[unit][reference].pose.centre for unit, _ in group])
+            moves = _local_shifts(seen, reference, epoch, centres, shifts[epoch] - shifts[reference])
+            points, sources = surroundings(epoch, centres + moves, reach)
+            other, _ = surroundings(reference, centres, reach)
+            tree, other_tree = cKDTree(points), cKDTree(other)
+            noise = surface_noise(points, max(u.height for u in units), tree=tree) if len(points) else 0.0
+            for (unit, _), move in zip(group, moves, strict=True):
+                known = seen[unit][reference]
+                pose = known.pose.shifted(move)
+                now = np.sort(np.array(tree.query_ball_point(pose.centre, reach), dtype=np.int64))
+                before = other[other_tree.query_ball_point(known.pose.centre, reach)] + move
+                tolerance = max(LOOK_UP_RATIO * known.shape.height, LOOK_UP_NOISE * noise)
+                presence = look_up(known.cloud.read()[0] + move, pose, known.shape, before, points[now], tolerance)
+                states[unit][epoch] = presence.state
+                if presence.state != "there":
+                    continue
+                near = [owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * reach)]
+                free = _left_by(near, points, now)
+                pose = settled_on(points[free], pose, known.shape, tolerance)
+                index = free[np.abs(relate(pose.to_body(points[free]), known.shape).distance) < tolerance]
+                if len(index) < MIN_RECOVERED_POINTS:
+                    states[unit][epoch] = "hidden"
+                    continue
+                cloud = UnitCloud.held(points[index], sources[index])
+                recovered.append((unit, epoch, replace(known, pose=pose, cloud=cloud, legs=LegEnds.unseen())))
+    return states, recovered
+
+
+def _local_shifts(seen: Sequence[Mapping[int, FittedUnit]], first: int, second: int, places: FloatArray, common: FloatArray) -> FloatArray:
+    """(k, 3) shift between two epochs' clouds at (k, 3) places: the median of the nearest units that both show, or the ``common`` one."""
+    both = [(s[first].pose.centre, s[second].pose.centre) for s in seen if first in s and second in s and s[first].certain]
+    if len(both) < NEIGHBOURS:
+        return np.tile(common, (len(places), 1))
+    before, after = (np.array(column) for column in zip(*both, strict=True))
+    near = cKDTree(before).query(places, k=NEIGHBOURS)[1]
+    return np.asarray(np.median((after - before)[near], axis=1))
+
+
+def _without_rivals(
+    tracks: Sequence[Track],
+    seen: Sequence[dict[int, FittedUnit]],
+    states: Sequence[dict[int, str]],
+    recovered: Sequence[tuple[int, int, FittedUnit]],
+) -> tuple[list[Track], list[dict[int, FittedUnit]], list[dict[int, str]]]:
+    """Tracks, sightings and states without weak detections in a place where a unit known from another epoch was recovered.
+
+    They explain its points by another pose, and two solids cannot share a place.
+    """
+    rivals: set[int] = set()
+    for _, epoch, unit in recovered:
+        for k, own in enumerate(seen):
+            other = own.get(epoch)
+            if other is not None and other is not unit and not any(s.certain for s in own.values()):
+                near = np.linalg.norm(other.pose.centre - unit.pose.centre) < SAME_PLACE_HEIGHTS * unit.shape.height
+                rivals |= {k} if near else set()
+    kept = [k for k in range(len(tracks)) if k not in rivals]
+    return [tracks[k] for k in kept], [seen[k] for k in kept], [states[k] for k in kept]
+
+
+def _left_by(owners: Sequence[FittedUnit], points: FloatArray, index: IntArray) -> IntArray:
+    """Those of the indices whose points belong to none of the units."""
+    for owner in sorted(owners, key=lambda u: u.cloud.home):
+        own, _ = owner.cloud.read()
+        if len(own) and len(index):
+            index = index[cKDTree(own).query(points[index])[0] > SAME_POINT]
+    return index
+
+
+def _adjust(seen: Sequence[dict[int, FittedUnit]], moulds: Mapping[UnitType, Mould]) -> tuple[JointAdjustment, dict[tuple[int, int], int]]:
+    """Joint adjustment of all sightings; their numbers by unit and epoch."""
+    sightings: list[UnitSighting] = []
+    numbers: dict[tuple[int, int], int] = {}
+    for unit, own in enumerate(seen):
+        for epoch in sorted(own):
+            s = own[epoch]
+            numbers[unit, epoch] = len(sightings)
+            sightings.append(UnitSighting(unit=unit, epoch=epoch, pose=s.pose, cloud=s.cloud, discs=s.discs, shape=s.shape))
+    # one epoch from one station has neither offsets nor surfaces seen twice: nothing ties its units, and their own fits stand, also
+    # where one of them had too few points for a fit
+    tied = any(len(own) > 1 for own in seen) or len({(s.epoch, int(k)) for s in sightings for k in s.cloud.ids}) > 1
+    fitted = any(unit.covariance is not None for own in seen for unit in own.values())
+    if any(s.cloud.has_points for s in sightings) and (tied or not fitted):
+        return adjust_jointly(sightings, moulds=moulds), numbers
+    return _as_fitted(seen, numbers), numbers
+
+
+def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, int], int]) -> JointAdjustment:
+    """Poses and covariances of the fits of single epochs in the form of a joint adjustment."""
+    poses = tuple(seen[unit][epoch].pose for unit, epoch in numbers)
+    order = {unit: tuple(numbers[unit, epoch] for epoch in sorted(own)) for unit, own in enumerate(seen)}
+    covariances = {}
+    for unit, own in enumerate(seen):
+        blocks = [c if (c := own[epoch].covariance) is not None else np.eye(6) * own[epoch].shape.height ** 2 for epoch in sorted(own)]
+        covariances[unit] = np.asarray(block_diag(*blocks), dtype=np.float64)
+    epochs = 1 + max((epoch for _, epoch in numbers), default=-1)
+    scales = dict.fromkeys(order, 0.0)
+    used = np.array([seen[unit][epoch].n_points for unit, epoch in numbers], dtype=np.int64)
+    return JointAdjustment(
+        poses=poses,
+        covariances=covariances,
+        order=order,
+        offsets={},
+        offset_sds={},
+        scales=scales,
+        scale_sds=scales,
+        noise=np.full(epochs, math.nan),
+        surface_sd=0.0,
+        used=used,
+    )
+
+
+def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
+    """The epoch with the variance of the mean offset of its strips."""
+    return replace(epoch, offset_variance=mean_offset_variance([offset for (e, _), offset in joint.offsets.items() if e == number]))
+
+
+def _odd_sizes(joint: JointAdjustment, kinds: IntArray, units: Sequence[UnitType]) -> frozenset[int]:
+    """Units whose size differs from that of their kind by more than castings from one set of moulds do.
+
+    The points of a leg that are taken for more, or for another one, make the unit shrink or grow.
+    """
+    scales, sds = (np.array([values[k] for k in range(len(kinds))]) for values in (joint.scales, joint.scale_sds))
+    odd: list[int] = []
+    for kind in np.unique(kinds):
+        surface = joint.surfaces.get(units[kind])
+        if surface is None:
+            continue
+        own = np.flatnonzero(kinds == kind)
+        # an estimate is drawn towards the mean size by what the points leave open, and varies the less
+        told = np.maximum(1 - (sds[own] / surface.size_sd) ** 2, 0.04)
+        shares = np.abs(scales[own] - np.median(scales[own])) / np.sqrt(told)
+        # the unit that is sought must not hide behind the spread that it makes itself; a median of few may be a third too small
+        spread = min(surface.size_sd, max(1.5 * sd_of_deviations(shares), LEAST_SIZE_SPREAD))
+        away = shares / spread
+        odd += own[away > ODD_SIZE * max(sd_of_deviations(away), 1.0)].tolist()
+    return frozenset(odd)
+
+
+def _states_of(
+    unit: int,
+    track: Track,
+    seen: dict[int, FittedUnit],
+    states: dict[int, str],
+    joint: JointAdjustment,
+    numbers: dict[tuple[int, int], int],
+    epochs: int,
+    odd: bool,
+) -> dict[int, TrackedUnit]:
+    tracked = {}
+    first = min(seen)
+    confirmed = not odd and any(s.certain for s in seen.values())
+    for epoch in range(epochs):
+        if epoch in seen:
+            number = numbers[unit, epoch]
+            place = joint.order[unit].index(number)
+            block = slice(6 * place, 6 * place + 6)
+            vouched = epoch in track.rows or seen[epoch].score >= RECOVERED_SCORE
+            status = "found" if confirmed and vouched else "uncertain"
+            if epoch in track.relocated:
+                status = "relocated"
+            elif confirmed and epoch == first > 0 and states.get(epoch - 1) == "empty":
+                status = "new"
+            tracked[epoch] = TrackedUnit(
+                row=track.rows.get(epoch),
+                pose=joint.poses[number],
+                covariance=joint.covariances[unit][block, block],
+                scale=1 + joint.scales[unit],
+                status=status,
+                points=int(joint.used[number]),
+                ambiguous=epoch in track.ambiguous,
+                legs=seen[epoch].legs,
+            )
+        elif epoch > first and epoch in states:
+            status = "lost" if states[epoch] == "empty" else "unseen"
+            tracked[epoch] = TrackedUnit(row=None, pose=None, covariance=None, scale=1 + joint.scales[unit], status=status, points=0)
+    return tracked
+
+
+def _cross_checks(
+    seen: Sequence[dict[int, FittedUnit]], joint: JointAdjustment, numbers: dict[tuple[int, int], int], epochs: int
+) -> dict[tuple[int, int, int], CrossCheck]:
+    """Displacements of all units between consecutive epochs by direct registration of their points."""
+    checks = {}
+    for first, second in zip(range(epochs - 1), range(1, epochs), strict=True):
+        both = [k for k, own in enumerate(seen) if first in own and second in own and (own[first].certain or own[second].certain)]
+        for unit in by_home((k, (seen[k][first].cloud, seen[k][second].cloud)) for k in both):
+            own = seen[unit]
+            if not (own[first].cloud.has_points and own[second].cloud.has_points):
+                continue
+            noise = float(np.nanmax(joint.noise[[first, second]]))
+            a, b = numbers[unit, first], numbers[unit, second]
+            block = joint_block(joint, unit, a, b)
+            difference = np.hstack([-np.eye(3), np.zeros((3, 3)), np.eye(3), np.zeros((3, 3))])
+            checks[first, second, unit] = cross_check(
+                _without_offsets(own[first], unit, first, joint),
+                _without_offsets(own[second], unit, second, joint),
+                joint.poses[a],
+                joint.poses[b],
+                difference @ block @ difference.T,
+                noise,
+            )
+    return checks
+
+
+def _without_offsets(unit: FittedUnit, number: int, epoch: int, joint: JointAdjustment) -> FloatArray:
+    """(n, 3) points less the offset of their strip or station."""
+    points, sources = unit.cloud.read()
+    offsets = joint.offsets_of(number, epoch, unit.cloud.ids)
+    return np.asarray(points - offsets[np.searchsorted(unit.cloud.ids, sources)])
+
+
+def _velocities(
+    epochs: Sequence[TrackedEpoch],
+    units: Sequence[UnitType],
+    tracks: Sequence[Track],
+    tracked: Sequence[dict[int, TrackedUnit]],
+    pairs: Sequence[EpochPair],
+    calibrations: Sequence[PoseCalibration],
+) -> dict[int, tuple[Velocity, ...]]:
+    """Velocities of units seen in more than two epochs, each epoch brought into the first one's datum ``stable``."""
+    years = np.array([e.time.timestamp() for e in epochs]) / SECONDS_PER_YEAR
+    to_first = {pair.second: pair for pair in pairs if pair.first == 0}
+    result = {}
+    for k, states in enumerate(tracked):
+        have = [e for e, s in sorted(states.items()) if s.pose is not None and s.status != "uncertain"]
+        have = [e for e in have if e == 0 or e in to_first]
+        if len(have) < 3 or tracks[k].relocated:
+            continue
+        points = [_placed(k, states[e], units[tracks[k].kind], calibrations[e], to_first.get(e)) for e in have]
+        result[k] = tuple(
+            velocity(
+                f,
+                years[have],
+                np.array([p.positions[f] for p in points]),
+                np.array([p.covariances[f] for p in points]),
+                min((to_first[e].congruence.null.tail for e in have if e), default=math.inf),
+            )
+            for f in range(len(FEATURES))
+        )
+    return result
+
+
+def _placed(number: int, state: TrackedUnit, unit: UnitType, calibration: PoseCalibration, to_first: EpochPair | None) -> FeaturePoints:
+    """Feature points in the first epoch's datum.
+
+    Their covariance is the epoch's own one, calibrated, and, in later epochs, that of the motion from the first one to them.
+    """
+    if state.pose is None or state.covariance is None:
+        raise ValueError("a unit without pose has no feature points")
+    covariance = np.zeros((8, 8))
+    covariance[:6, :6] = calibration.covariance(state.covariance)
+    points = feature_points(state.pose, unit_shape(unit, state.scale), covariance)
+    if to_first is None:
+        return points
+    frame = _frame_of(to_first, number)
+    shifts, spread = frame.at(points.positions - points.positions[0])
+    return replace(points, positions=points.positions - shifts, covariances=points.covariances + spread)
+
+
+def _frame_of(pair: EpochPair, unit: int) -> FramePart:
+    return next(motion.frames["stable"] for motion in pair.units if motion.unit == unit)

@@ -1,0 +1,301 @@
+"""Jobs run here, in local processes or on a cluster, in any order, with the same result.
+
+A job is a pure function of files: it reads the points of its block and a halo around it, and writes one file named after
+everything that went into it (checksums of the tiles, settings, version of the software). A file that exists is a job that
+is done.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import multiprocessing
+import os
+import signal
+import socket
+import sys
+import threading
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Protocol, Self
+from urllib.parse import urlsplit
+
+from ..common.errors import Cancelled, InputError, TetratrackError
+from ..common.kernels import threads_of_kernels
+from ..common.lifeline import IMPORTED_EXIT, start_as_worker
+from ..common.software import JOB_PACKAGES, code_fingerprint
+from .array_files import Arrays, load_arrays, save_arrays
+
+CONNECT_SECONDS = 5.0
+ATTEMPTS = 3
+"""Times a job is started before a worker that dies over it (for want of memory, say) ends the run."""
+
+
+class Job(Protocol):
+    """A pure function of files; must survive pickling."""
+
+    @property
+    def name(self) -> str:
+        """File name of the result, which holds the key of everything that determines it."""
+        ...
+
+    def run(self) -> Arrays:
+        """Compute the result."""
+        ...
+
+
+Task = tuple[Job, Path]
+"""A job and the file its result goes to; the parent names it, whatever version of the software a worker has."""
+
+
+def job_key(kind: str, settings: Mapping[str, Any], inputs: Iterable[str]) -> str:
+    """Key of a result: kind of job, settings (JSON values), checksums of the inputs, and the software.
+
+    The inputs' order does not matter.
+    """
+    content = json.dumps([kind, settings, sorted(inputs), code_fingerprint(JOB_PACKAGES)], sort_keys=True)
+    return hashlib.sha256(content.encode()).hexdigest()[:40]
+
+
+@dataclass
+class JobRunner:
+    """Runs jobs here, in local processes or on a cluster; as a context manager it ends its processes.
+
+    Local processes are started when first needed and serve all later calls, so that libraries are loaded once.
+
+    Attributes
+    ----------
+    folder
+        Where results are kept; shared by all machines of a cluster.
+    workers
+        Number of local processes, and of cores used by all of them; 1 works in this process.
+    scheduler
+        Address of a dask scheduler, or None.
+    is_cancelled
+        Asked while waiting.
+    """
+
+    folder: Path
+    workers: int = 1
+    scheduler: str | None = None
+    is_cancelled: Callable[[], bool] = lambda: False
+    _pool: ProcessPoolExecutor | None = field(default=None, init=False, repr=False)
+    _strangers: frozenset[Any] = field(default=frozenset(), init=False, repr=False)
+    _processes: frozenset[Any] = field(default=frozenset(), init=False, repr=False)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End the local processes once their jobs are done; a later call starts new ones."""
+        if self._pool is not None:
+            self._pool.shutdown(wait=True, cancel_futures=True)
+            self._pool = None
+
+    def run(self, jobs: Sequence[Job], progress: Callable[[int, int], None] = lambda done, total: None) -> list[Path]:
+        """Run what is not done yet; returns the result files in the order of the jobs.
+
+        Raises
+        ------
+        TetratrackError
+            A job's own error, or a worker died over the same job again and again.
+        Cancelled
+            ``is_cancelled`` said so; running jobs are ended at once.
+        """
+        paths = [self.folder / job.name for job in jobs]
+        todo = [(job, path) for job, path in zip(jobs, paths, strict=True) if load_arrays(path) is None]
+        done = len(jobs) - len(todo)
+        progress(done, len(jobs))
+        if self.scheduler is not None:
+            finished = self._on_cluster(todo)
+        elif self.workers > 1 and len(todo) > 1:
+            finished = self._in_processes(todo)
+        else:
+            finished = self._here(todo)
+        for _ in finished:
+            done += 1
+            progress(done, len(jobs))
+        return paths
+
+    def _here(self, tasks: Sequence[Task]) -> Iterator[None]:
+        for task in tasks:
+            if self.is_cancelled():
+                raise Cancelled("cancelled")
+            # a single job may use the cores of all workers, and no more
+            with threads_of_kernels(self.workers):
+                _run_and_save(*task)
+            yield
+
+    def _in_processes(self, tasks: Sequence[Task]) -> Iterator[None]:
+        _check_main_guard()
+        waiting = list(tasks)
+        for attempt in range(1, ATTEMPTS + 1):
+            try:
+                for task in self._pool_pass(tuple(waiting)):
+                    waiting.remove(task)
+                    yield
+                return
+            except BrokenProcessPool as error:
+                if any(process.exitcode == IMPORTED_EXIT for process in self._processes):
+                    raise InputError(
+                        "the script that starts the run is imported by its worker processes, and would start it again in each",
+                        remedy='Put the lines that start the run under: if __name__ == "__main__":',
+                    ) from error
+                if attempt == ATTEMPTS:
+                    raise TetratrackError(
+                        f"a worker process was ended from outside {ATTEMPTS} times. If memory ran out, use fewer --workers; "
+                        "with --resume finished blocks are kept."
+                    ) from error
+
+    def _pool_pass(self, tasks: Sequence[Task]) -> Iterator[Task]:
+        clean = False
+        try:
+            pending = self._submitted(tasks)
+            while pending:
+                done, _ = wait(pending, timeout=0.2, return_when=FIRST_COMPLETED)
+                for future in done:
+                    task = pending.pop(future)
+                    future.result()
+                    yield task
+                if self.is_cancelled():
+                    raise Cancelled("cancelled")
+            clean = True
+        finally:
+            if not clean:
+                for process in self._processes:
+                    process.kill()
+                self.close()
+
+    def _submitted(self, tasks: Sequence[Task]) -> dict[Future[None], Task]:
+        # an executor starts its processes as tasks come in: these inherit the environment of this moment
+        with _interrupts_held(), _worker_environment(max(1, (os.cpu_count() or 1) // self.workers)):
+            if self._pool is None:
+                self._strangers = frozenset(multiprocessing.active_children())
+                # spawned, not forked: forked copies of a process with threads (numba, OpenMP) can hang
+                self._pool = ProcessPoolExecutor(
+                    self.workers,
+                    multiprocessing.get_context("spawn"),
+                    initializer=start_as_worker,
+                    initargs=(os.getpid(), threading.current_thread() is threading.main_thread()),
+                )
+            submitted = {self._pool.submit(_run_and_save, *task): task for task in tasks}
+            self._processes = frozenset(multiprocessing.active_children()) - self._strangers
+            return submitted
+
+    def _on_cluster(self, tasks: Sequence[Task]) -> Iterator[None]:
+        try:
+            from distributed import Client, as_completed
+        except ImportError as error:
+            raise TetratrackError("--scheduler needs dask.distributed. Install it with: pip install 'tetratrack[cluster]'") from error
+        try:
+            client: Any = Client(self.scheduler, timeout="20s", set_as_default=False)  # type: ignore[no-untyped-call]
+        except Exception as error:
+            # distributed raises OSError, TimeoutError, ValueError, ImportError and others, by scheme and state of the network
+            raise no_scheduler(str(self.scheduler)) from error
+        with client:
+            # pure=False: a key is the job's own name, so that a rerun after a failure is not served a remembered error
+            futures = [client.submit(_run_and_save, *task, pure=False, retries=ATTEMPTS - 1) for task in tasks]
+            try:
+                for future in as_completed(futures, loop=client.loop):  # type: ignore[no-untyped-call]
+                    if self.is_cancelled():
+                        raise Cancelled("cancelled")
+                    future.result()
+                    yield
+            finally:
+                client.cancel(futures)
+
+
+def check_scheduler(address: str) -> None:
+    """Find out before any work whether something listens at a scheduler's address.
+
+    Raises
+    ------
+    InputError
+        It is no address of a dask scheduler.
+    TetratrackError
+        Nothing listens there.
+    """
+    parts = urlsplit(address)
+    try:
+        place = parts.hostname, parts.port
+    except ValueError:
+        place = None, None
+    if parts.scheme not in ("tcp", "tls") or not all(place):
+        raise InputError(f"{address!r} is no address of a dask scheduler", remedy="Write it as tcp://HOST:8786, or tls://HOST:8786.")
+    try:
+        socket.create_connection((str(place[0]), int(place[1] or 0)), timeout=CONNECT_SECONDS).close()
+    except OSError as error:
+        raise no_scheduler(address) from error
+
+
+def no_scheduler(address: str) -> TetratrackError:
+    """What to say when a scheduler does not answer."""
+    return TetratrackError(f"no dask scheduler answers at {address}. Start one with: dask scheduler, and workers with: dask worker ADDRESS")
+
+
+def _run_and_save(job: Job, path: Path) -> None:
+    """What a worker does: a job that another run finished meanwhile is not done again."""
+    if load_arrays(path) is None:
+        save_arrays(path, job.run())
+
+
+def _check_main_guard() -> None:
+    """Refuse to start workers from a script that would start itself again in each of them.
+
+    Raises
+    ------
+    TetratrackError
+        With the line that is missing.
+    """
+    main = sys.modules.get("__main__")
+    script = Path(getattr(main, "__file__", None) or "")
+    # a module run with -m, a console command or a notebook is not imported anew under its own name
+    if getattr(main, "__spec__", None) is not None or script.suffix != ".py" or not script.is_file():
+        return
+    if "__main__" not in script.read_text(encoding="utf-8", errors="replace"):
+        raise TetratrackError(
+            f"{script}: worker processes import this script, so that its work must stand under a line of its own: "
+            'if __name__ == "__main__": and what it does indented below. Or use workers=1.'
+        )
+
+
+@contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """Let Ctrl-C and SIGTERM wait: a worker whose parent is interrupted in the middle of starting it would complain of its own."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    held: list[int] = []
+    before = {number: signal.signal(number, lambda number, _: held.append(number)) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        if held:
+            signal.raise_signal(held[0])
+
+
+@contextmanager
+def _worker_environment(threads: int) -> Iterator[None]:
+    """Let started processes use that many threads each, so that workers do not compete for the cores, and import nothing from the
+    working directory."""
+    wanted = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), str(threads))
+    wanted["PYTHONSAFEPATH"] = "1"
+    before = {name: os.environ.get(name) for name in wanted}
+    os.environ.update(wanted)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value

@@ -1,0 +1,123 @@
+"""Tiles written back with the number of each point's unit, as an extra dimension of the LAS format (extra bytes)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import astuple
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..common.arrays import FloatArray
+from ..common.errors import InputError, OutputError
+from ..common.feedback import Feedback
+from ..common.output_files import check_targets, safe_name
+from ..data.las_copies import Dimension, write_with_dimension
+from ..data.survey import Survey
+from ..data.tiles import transform_of
+from ..model.pose import Pose
+from ..model.unit_types import UnitType
+from ..registration.frame_correction import FrameCorrection
+from ..registration.transformation import transformation_of
+from ..results.geopackage_reader import Row, read_layer_rows
+from ..results.unit_rows import EpochInfo, epochs_of, unit_of, unit_sizes
+from ..segmentation.aggregation import assign
+from .epoch_plans import plan_survey
+
+Transform = Callable[[FloatArray], FloatArray]
+
+DIMENSION = "unit_id"
+NEAR_SURFACE_HEIGHTS = 0.02
+"""A point is the unit's whose surface is nearest, if nearer than this share of the height."""
+
+
+def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: Feedback) -> dict[str, Any]:
+    """Write every tile of a survey to ``folder``/epoch/ as LAZ with dimension ``unit_id``, and nothing else changed.
+
+    The dimension holds the number in the unit's id (17 for U0017) of the units found in that epoch, 0 for points of none.
+
+    Raises
+    ------
+    InputError
+        Survey and result do not belong together, or a tile is damaged.
+    OutputError
+        The folder cannot be written, or a file would replace an input or another output.
+    """
+    infos = epochs_of(survey, result)
+    sizes = unit_sizes(list(infos.values()))
+    rows = [row for row in read_layer_rows(result, "units") if row["geom"] is not None and row["status"] != "uncertain"]
+    bends = read_layer_rows(result, "frame_errors")
+    plans = plan_survey(survey, feedback.part(0, 0.05))
+    targets = {
+        (plan.epoch.label, tile.path): folder / safe_name(plan.epoch.label) / f"{tile.path.stem}.laz"
+        for plan in plans
+        for tile in plan.tiles
+    }
+    check_targets([(target, str(tile)) for (_, tile), target in targets.items()], (*survey.files, result))
+    total = sum(len(plan.tiles) for plan in plans)
+    done = labelled = 0
+    for plan in plans:
+        to_control = to_control_frame(infos[plan.epoch.label], bends)
+        units: dict[UnitType, list[Row]] = {}
+        for row in rows:
+            if row["epoch"] == plan.epoch.label:
+                units.setdefault(unit_of(row, sizes), []).append(row)
+        for tile in plan.tiles:
+            feedback.check()
+            feedback.progress(0.05 + 0.95 * done / total, f"labelling {tile.path.name}")
+            target = targets[plan.epoch.label, tile.path]
+            try:
+                target.parent.mkdir(parents=True, exist_ok=True)
+            except OSError as error:
+                raise OutputError(f"cannot be made ({error.strerror})", source=target.parent, remedy="Choose another folder.") from error
+            numbers = partial(_numbers_of, transform=transform_of(tile, survey.crs), to_control=to_control, units=units)
+            labelled += write_with_dimension(tile.path, target, Dimension(DIMENSION, "number of the tetrapod"), numbers)
+            done += 1
+    return {"folder": str(folder), "tiles": done, "points": labelled}
+
+
+def to_control_frame(info: EpochInfo, bends: Sequence[Mapping[str, Any]]) -> Transform:
+    """From (n, 3) points of an epoch's cloud to the control frame, as the run saw it: registered, and straightened where it bends."""
+    transformation, correction = transformation_of(info.transformation), FrameCorrection.from_rows(bends, info.label)
+
+    def placed(points: FloatArray) -> FloatArray:
+        registered = points if transformation is None else transformation.apply(points)
+        return registered - correction.at(registered)
+
+    return placed
+
+
+def _numbers_of(
+    xyz: FloatArray, transform: Transform | None, to_control: Transform, units: Mapping[UnitType, list[Row]]
+) -> NDArray[np.uint32]:
+    """(n,) number of the unit of each point, in the CRS of its tile."""
+    return _numbers(to_control(xyz if transform is None else transform(xyz)), units)
+
+
+def _numbers(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> NDArray[np.uint32]:
+    """(n,) number of the unit of each point of the control frame, 0 for none."""
+    numbers = np.zeros(len(points), dtype=np.uint32)
+    if not len(points):
+        return numbers
+    origin = np.floor(points.mean(axis=0))
+    nearest = np.full(len(points), np.inf)
+    for unit, members in sorted(units.items(), key=lambda item: astuple(item[0])):
+        poses = [Pose.from_quaternion(row["geom"] - origin, [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in members]
+        table = np.array([np.concatenate([pose.centre, pose.rotation.ravel()]) for pose in poses])
+        labels, distance = assign(points - origin, table, unit, NEAR_SURFACE_HEIGHTS * unit.height)
+        nearer = (labels >= 0) & (np.abs(distance) < nearest)
+        nearest[nearer] = np.abs(distance[nearer])
+        ids = np.array([_number_of(row["unit_id"]) for row in members], dtype=np.uint32)
+        numbers[nearer] = ids[labels[nearer]]
+    return numbers
+
+
+def _number_of(unit_id: str) -> int:
+    digits = re.search(r"(\d+)$", unit_id)
+    if digits is None:
+        raise InputError(f"unit {unit_id} has no number in its id", remedy="Give a result of tetratrack run.")
+    return int(digits[1])

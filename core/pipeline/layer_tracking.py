@@ -1,0 +1,256 @@
+"""Step ``track``: fitted units of several epochs, given as layers, followed and compared without their points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any, cast, get_args
+
+import numpy as np
+
+from ..common.arrays import FloatArray
+from ..common.errors import InputError
+from ..common.feedback import Feedback
+from ..common.output_files import check_targets
+from ..data.survey_keys import SECTIONS
+from ..deformation.displacement import grades_from
+from ..deformation.epoch_frames import FrameChoice
+from ..deformation.fitted_unit import FittedUnit
+from ..deformation.identity import FoundUnits
+from ..deformation.tracked_epoch import TrackedEpoch
+from ..deformation.tracking import track
+from ..deformation.unit_clouds import UnitCloud
+from ..model.pose import Pose
+from ..model.unit_types import UnitType
+from ..registration.transformation import Transformation
+from ..results.field_checks import foreign_contents
+from ..results.geopackage_writer import check_output, from_upper_triangle, write_result
+from ..segmentation.leg_ends import LegEnds
+from .displacement_table import TableOptions, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
+from .epoch_alignment import PlacedUnits, tie_by_units
+from .epoch_quality import state_quality
+from .frame_table import frame_error_rows, stretch_rows
+from .gap_table import gap_rows
+from .registered_layers import RegisteredEpoch, read_registered
+from .unit_input import crs_of_layer, read_units
+
+FROM_FIT = ("legs_visible", "coverage", "score", "sigma0", "n_points", "distance_median", "supported")
+"""Fields of ``units`` that tracking takes over."""
+NOT_FITTED = "Give a result of tetratrack fit."
+
+
+def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback: Feedback, frame: str = "auto") -> dict[str, Any]:
+    """Step ``track``: identity, datum and displacements from fitted units alone.
+
+    Clouds that are not aligned, frames that bend and targets are dealt with as in a whole run. Without points there is no joint
+    adjustment of strips and no look-up of missing units, so that ``run`` is the better way where the tiles are at hand.
+
+    Parameters
+    ----------
+    units
+        Layer ``units`` of several epochs with covariance, each in the frame of its cloud.
+    registrations
+        GeoPackages of the step ``register``.
+    output
+        Result to write.
+    feedback
+        Messages and cancelling.
+    frame
+        Whether frames may bend.
+
+    Raises
+    ------
+    InputError
+        Fewer than two epochs, units without covariance, or epochs that have no units in common.
+    """
+    choice = frame_choice(frame)
+    check_targets([(output, "the result")], [units, *registrations])
+    check_output(output)
+    with foreign_contents(units):
+        epochs, fits, kinds, origin = _fitted_epochs(units, registrations, feedback)
+    labels = [epoch.label for epoch in epochs]
+    types = list(kinds.values())
+    epochs = _aligned(epochs, types, origin, units, feedback)
+    result = track(epochs, types, frame=choice)
+    names = unit_names(len(result.units))
+    limits = {name: key.default for name, key in SECTIONS["displacement"].items()}
+    options = TableOptions((float(origin[0]), float(origin[1]), float(origin[2])), limits["significance"], grades_from(limits))
+
+    def from_fit(epoch: int, row: int | None) -> Mapping[str, Any]:
+        if row is None:
+            return {}
+        known = fits[labels[epoch]][row]
+        return {name: known.get(name) for name in FROM_FIT}
+
+    unit_rows, points = unit_tables(result, epochs, types, names, origin, from_fit)
+    moved, other = displacement_rows(result, epochs, types, names, options)
+    feedback.check()
+    gaps = gap_rows(unit_rows, [(epoch.label, epoch.time) for epoch in epochs], types)
+    state_quality(unit_rows, types, labels, feedback)
+    tables = {
+        "units": unit_rows,
+        "gaps": gaps,
+        "feature_points": points,
+        "displacements": moved,
+        "displacements_other": other,
+        "epoch_pairs": pair_rows(result, epochs, origin),
+        "velocities": velocity_rows(result, epochs, names, origin),
+        "frame_errors": frame_error_rows(result, epochs, max(unit.height for unit in types), origin),
+        "stretches": stretch_rows(result.pairs, epochs, origin, limits["significance"]),
+    }
+    write_result(output, crs_of_layer(units), tables)
+    return {
+        "output": str(output),
+        "units": len(names),
+        "displacements": len(moved),
+        "moved": len({row["unit_id"] for row in moved if row["class"] == "moved"}),
+    }
+
+
+def _fitted_epochs(
+    units: Path, registrations: Sequence[Path], feedback: Feedback
+) -> tuple[list[TrackedEpoch], dict[str, list[dict[str, Any]]], dict[str, UnitType], FloatArray]:
+    """Epochs in the order of time, rows of each by its label, types of unit by name, and the (3,) origin of the reduced frame."""
+    rows = [row for row in read_units(units) if row["geometry"] is not None]
+    labels = sorted({str(row["epoch"]) for row in rows}, key=lambda label: _time_of(rows, label, units))
+    if len(labels) < 2:
+        raise InputError(f"holds {len(labels)} epoch", source=units, remedy="Give the units of at least two epochs.")
+    registered = read_registered(registrations)
+    for label in labels:
+        if label not in registered or registered[label].transformation is None:
+            feedback.info(f"{label}: no registration, its cloud's frame is taken as registered")
+    origin: FloatArray = np.round(np.array([row["geometry"] for row in rows], dtype=np.float64).mean(axis=0))
+    kinds = _kinds(rows, units)
+    fits = {label: [row for row in rows if row["epoch"] == label] for label in labels}
+    epochs = [_fitted_epoch(label, fits[label], registered.get(label), kinds, origin, units) for label in labels]
+    return [_tied(epoch, registered, labels) for epoch in epochs], fits, kinds, origin
+
+
+def frame_choice(text: str) -> FrameChoice:
+    """Choice of that name.
+
+    Raises
+    ------
+    InputError
+        It is none.
+    """
+    for choice in get_args(FrameChoice):
+        if text == choice:
+            return cast(FrameChoice, choice)
+    raise InputError(f"{text!r} is no choice of frame", where="frame", remedy=f"Use one of: {', '.join(get_args(FrameChoice))}.")
+
+
+def _tied(epoch: TrackedEpoch, registered: Mapping[str, RegisteredEpoch], labels: Sequence[str]) -> TrackedEpoch:
+    """The epoch with the one it was tied to on stable areas; where that has no units here, its error counts as the epoch's own."""
+    own = registered.get(epoch.label)
+    if own is None or own.reference not in labels:
+        return epoch
+    return replace(epoch, tied_to=labels.index(own.reference))
+
+
+def _aligned(
+    epochs: Sequence[TrackedEpoch], types: Sequence[UnitType], origin: FloatArray, source: Path, feedback: Feedback
+) -> list[TrackedEpoch]:
+    """The epochs, those that only their units tie brought into the frame of the first registered one, or of the first."""
+    placed = [
+        PlacedUnits(
+            label=epoch.label,
+            found=FoundUnits(
+                tuple(unit.pose for unit in epoch.units),
+                np.array([unit.kind for unit in epoch.units], dtype=np.int64),
+                np.array([unit.certain for unit in epoch.units], dtype=bool),
+            ),
+            registered=epoch.registration is not None,
+        )
+        for epoch in epochs
+    ]
+    root = next((k for k, epoch in enumerate(placed) if epoch.registered), 0)
+    known = epochs[root].registration
+    absolute = None if known is None else replace(known, origin_to=known.origin_to + origin)
+    ties = tie_by_units(placed[root], placed, types, origin, absolute, source, feedback)
+    return [epoch if epoch.label not in ties else _moved(epoch, ties[epoch.label].transformation, origin, root) for epoch in epochs]
+
+
+def _moved(epoch: TrackedEpoch, motion: Transformation, origin: FloatArray, root: int) -> TrackedEpoch:
+    """The epoch, whose cloud's frame was taken as registered, moved by a tie to the epoch ``root``."""
+    turn = np.kron(np.eye(2), motion.rotation)
+    units = tuple(
+        replace(
+            unit,
+            pose=motion.apply_pose(unit.pose.shifted(origin)).shifted(-origin),
+            covariance=None if unit.covariance is None else turn @ unit.covariance @ turn.T,
+        )
+        for unit in epoch.units
+    )
+    return replace(epoch, units=units, registration=replace(motion, origin_to=motion.origin_to - origin), tied_to=root)
+
+
+def _time_of(rows: Sequence[Mapping[str, Any]], label: str, source: Path) -> datetime:
+    value = next(row.get("epoch_time") for row in rows if row["epoch"] == label)
+    if not isinstance(value, datetime):
+        raise InputError(f"epoch {label!r} has no epoch_time", source=source, remedy=NOT_FITTED)
+    return value
+
+
+def _kinds(rows: Sequence[Mapping[str, Any]], source: Path) -> dict[str, UnitType]:
+    """Geometry by name of the type of unit, with the median shape of its fits."""
+    kinds = {}
+    for name in dict.fromkeys(str(row.get("unit_type") or "tetrapod") for row in rows):
+        own = [row for row in rows if str(row.get("unit_type") or "tetrapod") == name]
+        values = [[row.get(field) for field in ("height", "r0", "gradient")] for row in own]
+        if any(v is None for row in values for v in row):
+            raise InputError("layer units has no height, r0 or gradient", source=source, remedy=NOT_FITTED)
+        height, radius, gradient = np.median(np.array(values, dtype=np.float64), axis=0)
+        kinds[name] = UnitType.tetrapod(float(height), radius=float(radius), gradient=float(gradient), name=name)
+    return kinds
+
+
+def _fitted_epoch(
+    label: str,
+    rows: Sequence[Mapping[str, Any]],
+    registered: RegisteredEpoch | None,
+    kinds: Mapping[str, UnitType],
+    origin: FloatArray,
+    source: Path,
+) -> TrackedEpoch:
+    """Units of an epoch in the control frame less ``origin``; without control in the frame of its cloud."""
+    registration = None if registered is None else registered.transformation
+    transformation = Transformation.identity(origin) if registration is None else registration
+    names = list(kinds)
+    found = []
+    for row in rows:
+        pose = Pose.from_quaternion(row["geometry"], [row["qx"], row["qy"], row["qz"], row["qw"]])
+        if not row.get("covariance"):
+            raise InputError(f"unit {row.get('unit_id')} has no covariance", source=source, remedy=NOT_FITTED)
+        turn = np.kron(np.eye(2), transformation.rotation)
+        covariance = turn @ from_upper_triangle(row["covariance"])[:6, :6] @ turn.T
+        kind = names.index(str(row.get("unit_type") or "tetrapod"))
+        found.append(
+            FittedUnit(
+                pose=transformation.apply_pose(pose).shifted(-origin),
+                shape=kinds[names[kind]],
+                kind=kind,
+                certain=row.get("status") != "uncertain",
+                discs=np.zeros(4, dtype=np.bool_),
+                cloud=UnitCloud.none(),
+                covariance=covariance,
+                score=_number(row.get("score"), 1.0),
+                n_points=int(_number(row.get("n_points"), 0.0)),
+                legs=LegEnds.from_row(row),
+            )
+        )
+    placed = None if registration is None else replace(registration, origin_to=registration.origin_to - origin)
+    return TrackedEpoch(
+        label=label,
+        time=_time_of(rows, label, source),
+        units=tuple(found),
+        registration=placed,
+        redundancy=0 if registered is None else registered.redundancy,
+        targets=None if registered is None else registered.target_shifts(origin),
+    )
+
+
+def _number(value: Any, otherwise: float) -> float:
+    return otherwise if value is None else float(value)

@@ -1,0 +1,71 @@
+"""What results of the step ``register`` say of an epoch: its transformation, what ties it, and its targets."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..common.arrays import FloatArray
+from ..deformation.epoch_frames import TargetShifts
+from ..registration.transformation import Transformation, transformation_of
+from ..results.geopackage_reader import read_layer_rows
+
+SD_FIELDS = ("sd_e", "sd_n", "sd_h")
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class RegisteredEpoch:
+    """One epoch of the layer ``epochs``.
+
+    Attributes
+    ----------
+    transformation
+        Of its cloud to control; None where the cloud's own frame was kept.
+    redundancy
+        Of the registration.
+    reference
+        Label of the epoch that it was tied to on stable areas; None without.
+    targets
+        Rows of ``control_residuals``.
+    """
+
+    transformation: Transformation | None
+    redundancy: int
+    reference: str | None
+    targets: Sequence[Mapping[str, Any]]
+
+    def target_shifts(self, origin: FloatArray) -> TargetShifts | None:
+        """Its targets less the reduction point ``origin`` (3,); None where there are none or their deviations are not stated."""
+        rows = self.targets
+        if not rows or any(row.get(name) is None for row in rows for name in SD_FIELDS):
+            return None
+        return TargetShifts(
+            ids=tuple(str(row["point_id"]) for row in rows),
+            positions=np.array([row["geom"] for row in rows], dtype=np.float64) - origin,
+            residuals=np.array([[row["ve"], row["vn"], row["vh"]] for row in rows], dtype=np.float64),
+            variances=np.array([[row[name] for name in SD_FIELDS] for row in rows], dtype=np.float64) ** 2,
+        )
+
+
+def read_registered(paths: Sequence[Path]) -> dict[str, RegisteredEpoch]:
+    """Epochs of several GeoPackages by label; later files count where two hold one epoch."""
+    found = {}
+    for path in paths:
+        targets = list(read_layer_rows(path, "control_residuals"))
+        for row in read_layer_rows(path, "epochs"):
+            settings = json.loads(row.get("settings") or "{}")
+            # residuals of a whole run are those against its bent frames already
+            bent = bool(settings.get("frame", {}).get("bends"))
+            label = str(row["label"])
+            found[label] = RegisteredEpoch(
+                transformation=transformation_of(json.loads(row.get("transformation") or "{}")),
+                redundancy=int(settings.get("redundancy") or 0),
+                reference=str(row["reference_epoch"]) if row.get("reference_epoch") else None,
+                targets=() if bent else tuple(target for target in targets if target["epoch"] == label),
+            )
+    return found

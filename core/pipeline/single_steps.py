@@ -1,0 +1,145 @@
+"""Steps that work on earlier results alone: compare with check points, register views."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..common.arrays import FloatArray
+from ..common.atomic_files import replace_durably, temporary_beside
+from ..common.errors import InputError
+from ..common.feedback import Feedback
+from ..common.output_files import check_targets
+from ..model.unit_types import UnitType
+from ..results.geopackage_reader import read_given_rows
+from ..results.geopackage_writer import check_output, write_result
+from .unit_input import crs_of_layer
+
+if TYPE_CHECKING:
+    import laspy
+
+
+def run_validate(features: Path, check: Path, picks: Path | None, epoch: str | None, output: Path, feedback: Feedback) -> dict[str, Any]:
+    """Step ``validate``: feature points of one epoch less surveyed check points.
+
+    Parameters
+    ----------
+    features
+        GeoPackage with the layer ``feature_points``.
+    check
+        CSV of check points.
+    picks
+        CSV of manual picks, compared in the same way; None for none.
+    epoch
+        Label; None where the layer holds a single epoch.
+    output
+        Result with the layer ``check_residuals``.
+    feedback
+        Messages and cancelling.
+    """
+    from ..deformation.validation import check_residuals, read_check, read_picks, residual_rows, summarise
+
+    check_targets([(output, "the result")], [features, check, *([] if picks is None else [picks])])
+    check_output(output)
+    by_epoch, crs = _read_features(features)
+    if not by_epoch:
+        raise InputError(
+            "holds no feature points, so there is nothing to compare",
+            source=features,
+            remedy="No unit was found in these tiles: look at them with the inspection of tiles, and at height and type of the unit.",
+        )
+    if epoch is None and len(by_epoch) != 1:
+        raise InputError(
+            f"holds epochs {', '.join(by_epoch)}", source=features, remedy="Name the one the check points belong to (--epoch)."
+        )
+    label = epoch if epoch is not None else next(iter(by_epoch))
+    if label not in by_epoch:
+        raise InputError(f"has no epoch {label!r}", source=features, remedy=f"Epochs: {', '.join(by_epoch)}.")
+    points = by_epoch[label]
+    # a joint lies 0.264 H from the centre in a standard tetrapod
+    arms = [
+        float(np.linalg.norm(own[name] - own["centre"])) for own in points.values() if "centre" in own for name in own if name != "centre"
+    ]
+    if not arms:
+        raise InputError(
+            "holds no unit with centre and joints", source=features, remedy="Give a result of tetratrack features, fit or run."
+        )
+    residuals = check_residuals(read_check(check), points, float(np.median(arms)) / UnitType.tetrapod(1.0).crotch_distance, label)
+    write_result(output, crs, {"check_residuals": residual_rows(residuals)})
+    lengths = [r.length for r in residuals if r.difference is not None]
+    if not lengths:
+        raise InputError("matches no feature point", source=check, remedy="Check the CRS, and that the epoch is the right one.")
+    found: dict[str, Any] = {"output": str(output), "points": len(lengths), "rmse": math.sqrt(sum(v**2 for v in lengths) / len(lengths))}
+    fitted = summarise(lengths)
+    feedback.info(
+        f"{fitted.count} of {len(residuals)} check points: mean {1000 * fitted.mean_absolute:.1f} mm, "
+        f"largest {1000 * fitted.maximum:.1f} mm"
+    )
+    if picks is not None:
+        by_hand = read_picks(picks)
+        manual = summarise([float(np.linalg.norm(by_hand[key] - r.position)) for r in residuals if (key := (r.point_id, label)) in by_hand])
+        feedback.info(f"{manual.count} manual picks: mean {1000 * manual.mean_absolute:.1f} mm, largest {1000 * manual.maximum:.1f} mm")
+        found |= {"manual_mean": manual.mean_absolute, "manual_maximum": manual.maximum}
+    return found
+
+
+def run_register_views(views: Sequence[Path], output: Path, voxel: float | None, feedback: Feedback) -> dict[str, Any]:
+    """Step ``register-views``: several overlapping clouds in one LAZ file in the frame of the first; the point source ID is the view.
+
+    Raises
+    ------
+    InputError
+        A view cannot be read, or the views do not hang together.
+    """
+    import laspy
+
+    from ..data.tiles import inspect_tile, read_points
+    from ..registration.views import register_views
+
+    check_targets([(output, "the merged cloud")], views)
+    clouds = []
+    origin: FloatArray | None = None
+    crs = ""
+    for number, path in enumerate(views):
+        feedback.check()
+        feedback.progress(0.3 * number / len(views), f"reading {path.name}")
+        tile = inspect_tile(path, None)
+        crs = crs or tile.crs
+        cloud = read_points([tile], crs or "LOCAL", origin=origin)
+        origin = cloud.origin
+        clouds.append(cloud.xyz)
+    feedback.progress(0.3, "registering views")
+    result = register_views(clouds, voxel=voxel, is_cancelled=feedback.is_cancelled)
+    feedback.check()
+    header = laspy.LasHeader(version="1.4", point_format=6)
+    header.offsets = np.zeros(3) if origin is None else origin
+    header.scales = np.full(3, 1e-5)
+    merged = laspy.LasData(header)
+    moved = [points @ motion[:3, :3].T + motion[:3, 3] + header.offsets for points, motion in zip(clouds, result.motions, strict=True)]
+    merged.x, merged.y, merged.z = np.vstack(moved).T
+    merged.point_source_id = np.repeat(np.arange(1, len(clouds) + 1, dtype=np.uint16), [len(points) for points in clouds])
+    merged.return_number[:] = 1
+    merged.number_of_returns[:] = 1
+    _write_las(merged, output)
+    return {"output": str(output), "views": len(clouds), "rmse": result.rmse}
+
+
+def _write_las(merged: laspy.LasData, output: Path) -> None:
+    target = output.absolute()
+    with temporary_beside(target) as temporary:
+        with temporary.open("wb") as stream:
+            merged.write(stream, do_compress=target.suffix.lower() == ".laz")
+        replace_durably(temporary, target)
+
+
+def _read_features(path: Path) -> tuple[dict[str, dict[str, dict[str, FloatArray]]], str]:
+    """Epoch to unit_id to feature to (3,) position, and the layer's CRS."""
+    found: dict[str, dict[str, dict[str, FloatArray]]] = {}
+    for row in read_given_rows(path, "feature_points", ("unit_id", "epoch", "feature")):
+        if row.get("geom") is not None and row["geom"].shape == (3,):
+            found.setdefault(row["epoch"], {}).setdefault(row["unit_id"], {})[row["feature"]] = row["geom"]
+    return found, crs_of_layer(path, "feature_points")

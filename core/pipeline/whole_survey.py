@@ -1,0 +1,208 @@
+"""All steps from survey.toml to result.gpkg, one function each; the console command and, through it, QGIS call these.
+
+Units are found and adjusted block by block in the frame of each epoch's cloud; registration then takes poses, covariances and
+feature points into the control frame, where epochs are compared.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..armour.placement_rows import placement_rows, size_of_type
+from ..common.errors import InputError
+from ..common.feedback import Feedback
+from ..common.output_files import check_targets
+from ..data.survey import Survey
+from ..model.feature_points import FEATURES
+from ..model.pose import Pose
+from ..results.field_checks import foreign_contents
+from ..results.geopackage_reader import table_names
+from ..results.geopackage_writer import check_output, from_upper_triangle, write_result
+from ..results.run_record import record_run
+from ..results.schema import LAYERS
+from ..results.unit_rows import read_epochs, size_of, unit_sizes
+from ..review.decisions import settle_decisions
+from .epoch_alignment import align_epochs
+from .epoch_plans import plan_survey
+from .epoch_quality import state_quality
+from .epoch_registration import register_epochs
+from .epoch_tracking import Tables, check_tables, track_tables
+from .epoch_units import find_and_fit, segment_epochs
+from .gap_table import gap_rows, look_into_tiles
+from .no_units import warn_of_empty
+from .run_options import RunOptions, job_runner
+from .size_check import check_sizes
+from .unit_input import crs_of_layer, read_poses, read_units, unit_of
+from .unit_table import control_rows, epoch_row, feature_rows, fitted_feature_rows, provisional_ids, unit_rows
+
+SHARES = {"read": 0.03, "fit": 0.82, "track": 0.14, "write": 0.01}
+"""Share of each step in the time of a whole run, for the progress bar."""
+
+
+def run_register(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
+    """Step ``register``: transformation of each epoch's cloud to survey control, and the residuals."""
+    check_targets([(output, "the result")], survey.files)
+    check_output(output)
+    plans = plan_survey(survey, feedback.part(0, 0.5))
+    record = record_run(survey, options.seed, {"step": "register"})
+    registrations = register_epochs(survey, plans, feedback.part(0.5, 1))
+    if not registrations:
+        raise InputError(
+            "no epoch names control and targets",
+            source=survey.path,
+            remedy="Add control and targets to an [[epoch]], or stable_areas to [survey].",
+        )
+    tables: Tables = {"control_residuals": [], "epochs": []}
+    squares, outliers = [], 0
+    for plan in plans:
+        registration = registrations.get(plan.epoch.label)
+        if registration is None:
+            tables["epochs"].append(epoch_row(plan, record, None, {}))
+            continue
+        for note in registration.notes:
+            feedback.info(f"{plan.epoch.label}: {note}")
+        tables["control_residuals"] += control_rows(plan.epoch.label, registration)
+        tables["epochs"].append(epoch_row(plan, record, registration, {"redundancy": registration.redundancy}))
+        squares += [float(np.sum(r.residual**2)) for r in registration.residuals if r.used]
+        outliers += len(registration.excluded)
+    write_result(output, survey.crs, tables)
+    rmse = math.sqrt(sum(squares) / len(squares)) if squares else None
+    return {"output": str(output), "rmse": rmse, "outliers": outliers}
+
+
+def run_features(units: Path, output: Path, feedback: Feedback, *, end_discs: bool = False) -> dict[str, Any]:
+    """Step ``features``: feature points with covariance from a layer ``units`` of any GeoPackage.
+
+    With ``end_discs`` the centres of the legs' end discs as well; leg lengths are those of the run, or of standard proportions where the
+    file is no result.
+    """
+    check_targets([(output, "the result")], [units])
+    check_output(output)
+    sizes = unit_sizes(read_epochs(units)) if end_discs and "epochs" in table_names(units) else ()
+    tables: Tables = {"units": [], "feature_points": []}
+    for row in read_units(units):
+        feedback.check()
+        row = {name: value for name, value in row.items() if name in {*LAYERS["units"].names, "geometry"}}
+        tables["units"].append(row)
+        if row["geometry"] is None:
+            continue
+        pose = Pose.from_quaternion(row["geometry"], [row["qx"], row["qy"], row["qz"], row["qw"]])
+        with foreign_contents(units):
+            unit = unit_of(row, units)
+            if end_discs:
+                unit = replace(unit, leg_length=size_of(row, sizes).leg_length)
+            covariance = from_upper_triangle(row["covariance"]) if row.get("covariance") else None
+            name, epoch, time = str(row["unit_id"]), str(row["epoch"]), row.get("epoch_time")
+            unseen = [None] * len(FEATURES)
+            tables["feature_points"] += feature_rows(name, epoch, time, pose, unit, covariance, unseen, end_discs=end_discs)
+    write_result(output, crs_of_layer(units), tables)
+    return {"output": str(output), "features": len(tables["feature_points"])}
+
+
+def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
+    """All steps: tiles to units, feature points, registration and displacements, in one result.
+
+    Raises
+    ------
+    InputError
+        Input that cannot be used; nothing is written then.
+    Cancelled
+        The user ended the run; nothing is written.
+    """
+    check_targets([(output, "the result")], survey.files)
+    check_output(output)
+    start = SHARES["read"]
+    plans = plan_survey(survey, feedback.part(0, start))
+    if len(plans) == 1:
+        feedback.info("one epoch: units and feature points are found; displacements need a second one")
+    check_sizes(survey, plans[0].tiles, feedback.part(start, start))
+    record = record_run(
+        survey,
+        options.seed,
+        {"step": "run", "survey": survey.name, "unit": [repr(unit) for unit in survey.units], "leg_length": survey.unit.leg_length},
+    )
+    registrations = register_epochs(survey, plans, feedback)
+    with job_runner(output, options, feedback) as runner:
+        fitted, calibration = find_and_fit(survey, plans, record, runner, feedback.part(start, start := start + SHARES["fit"]))
+        warn_of_empty(survey, [epoch.plan for epoch in fitted if not len(epoch)], feedback)
+        registrations = align_epochs(survey, fitted, registrations, feedback)
+        feedback.progress(start, "tracking units")
+        tables, summary = track_tables(survey, fitted, fitted[0].units, registrations, feedback)
+        registrations = registrations | summary["registrations"]
+        feedback.progress(1 - 3 * SHARES["write"], "looking for gaps")
+        when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
+        seen = look_into_tiles(
+            tables["units"], survey, plans, fitted[0].units, registrations, tables["frame_errors"], record.checksums, runner
+        )
+        tables["gaps"] = gap_rows(tables["units"], when, fitted[0].units, seen)
+        qualities = state_quality(tables["units"], fitted[0].units, [label for label, _ in when], feedback, tables["gaps"])
+        tables |= {"control_residuals": [], "epochs": []}
+        tables["check_residuals"], check_rmse = check_tables(survey, tables["feature_points"], feedback)
+        for epoch in fitted:
+            label = epoch.plan.epoch.label
+            registration = registrations.get(label)
+            if registration is None:
+                feedback.info(f"{label}: no control, results stay in the frame of the cloud")
+            else:
+                tables["control_residuals"] += control_rows(label, registration)
+                for note in registration.notes:
+                    feedback.info(f"{label}: {note}")
+            extra = summary["epochs"][label] | {"calibration": calibration, "quality": qualities[label]}
+            tables["epochs"].append(epoch_row(epoch.plan, record, registration, extra))
+        feedback.check()
+        feedback.progress(1 - SHARES["write"], "writing")
+        tables["placement"] = placement_rows(tables["units"], [size_of_type(unit.type) for unit in survey.units])
+        write_result(output, survey.crs, tables)
+    lapsed = settle_decisions(output)
+    if lapsed:
+        feedback.warning(f"{lapsed} decisions of reviewers rested on numbers that are others now: those units are undecided again")
+    feedback.progress(1.0, "done")
+    return {"output": str(output), "units": summary["units"], "moved": summary["moved"], "check_rmse": check_rmse}
+
+
+def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
+    """Step ``segment``: units with approximate poses, in the frame of each epoch's cloud."""
+    check_targets([(output, "the result")], survey.files)
+    check_output(output)
+    plans = plan_survey(survey, feedback.part(0, 0.05))
+    record = record_run(survey, options.seed, {"step": "segment"})
+    with job_runner(output, options, feedback) as runner:
+        epochs = segment_epochs(survey, plans, record, runner, feedback.part(0.05, 0.98))
+        tables: Tables = {"units": [], "epochs": []}
+        for epoch in epochs:
+            tables["units"] += unit_rows(epoch, provisional_ids(len(epoch)))
+        qualities = state_quality(tables["units"], epochs[0].units, [epoch.plan.epoch.label for epoch in epochs], feedback)
+        for epoch in epochs:
+            tables["epochs"].append(epoch_row(epoch.plan, record, None, {"quality": qualities[epoch.plan.epoch.label]}))
+        feedback.check()
+        write_result(output, survey.crs, tables)
+    return {"output": str(output), "units": sum(int((e.table["status"] == "found").sum()) for e in epochs), "epochs": len(epochs)}
+
+
+def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
+    """Step ``fit``: adjusted units and feature points in the frame of each epoch's cloud, from given poses or from the points alone."""
+    check_targets([(output, "the result")], [*survey.files, *([] if units is None else [units])])
+    check_output(output)
+    given = None if units is None else read_poses(units, survey)
+    plans = plan_survey(survey, feedback.part(0, 0.05))
+    record = record_run(survey, options.seed, {"step": "fit"})
+    with job_runner(output, options, feedback) as runner:
+        epochs, calibration = find_and_fit(survey, plans, record, runner, feedback.part(0.05, 0.98), given)
+        tables: Tables = {"units": [], "feature_points": [], "epochs": []}
+        for epoch in epochs:
+            ids = provisional_ids(len(epoch))
+            tables["units"] += unit_rows(epoch, ids)
+            for k, name in enumerate(ids):
+                tables["feature_points"] += fitted_feature_rows(epoch, k, name)
+        qualities = state_quality(tables["units"], epochs[0].units, [epoch.plan.epoch.label for epoch in epochs], feedback)
+        for epoch in epochs:
+            extra = {"calibration": calibration, "quality": qualities[epoch.plan.epoch.label]}
+            tables["epochs"].append(epoch_row(epoch.plan, record, None, extra))
+        feedback.check()
+        write_result(output, survey.crs, tables)
+    return {"output": str(output), "units": sum(len(e) for e in epochs), "epochs": len(epochs)}

@@ -1,0 +1,1 @@
+"""Frames and datum: control, stable areas, views."""

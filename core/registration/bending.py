@@ -1,0 +1,380 @@
+"""How much a frame bends and over which distance, learned from the survey itself: restricted maximum likelihood over cells of the ground.
+
+Observations are shifts of many small bodies (resting units between two epochs) or of targets. Units that moved by themselves must not
+pass for a bend: cells take medians, a robust variogram (Cressie and Hawkins, 1980, Math. Geol. 12) gives the first model, and cells
+that its robust adjustment does not explain stay out of the likelihood. A stiff frame must not seem to bend: without a clear gain of
+likelihood there is no model.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+from scipy.linalg import solve_triangular
+from scipy.optimize import minimize_scalar
+from scipy.spatial import cKDTree
+
+from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.robust import CHI2_1_MEDIAN, MAD_TO_SD, t_weights
+from .frame_field import FieldModel, matern
+
+FEWEST_CELLS = 15
+MOST_CELLS = 180
+"""Cells of one window of the likelihood; longer coasts are looked at in some windows."""
+WINDOWS = 2
+LARGEST_SHARE = 1.3
+"""Largest standard deviation of a field over that of the shifts themselves."""
+GAIN = 12.0
+"""Least gain of log-likelihood by which a frame is said to bend; one that does not gains 12 in fewer than one survey of ten thousand."""
+ELONGATED = 3.0
+"""Length over width from which the ground is a strip, along which errors run."""
+TREND_SHIFT, TREND_SLOPE = 1.0, 0.01
+"""Prior standard deviations of a shift (m) and slope that the rigid motion may leave."""
+JUMP_GAIN = 25.0
+"""Gain of log-likelihood by which a stretch is said to have moved as one; the best of all stretches of a smooth bend gains about ten."""
+STEEP = 4.0
+"""Square of a step over the variance of the bend's own change at its ends from which it is one."""
+LONGEST_JUMP = 0.4
+"""Longest such stretch over the length of the structure: of more than that nobody could say which part moved."""
+MOST_JUMPS = 4
+SIDE_CELLS, SIDE_SHARE = 4, 0.5
+"""Cells on one side of another, and the share of the correlation length within which they are looked for, that say whether it agrees."""
+AGREEING = 3.5
+"""Distance from those in standard deviations up to which it does."""
+CLEAR_OUTLIER = 5.0
+"""Misfit of a cell in standard deviations that no bend explains."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ShiftSample:
+    """Shifts that are to be explained.
+
+    Attributes
+    ----------
+    places
+        (k, 2) metres.
+    values
+        (k, 3) metres.
+    variances
+        (k, 3) square metres, of independent errors.
+    fixed
+        (k,) observations that no one may leave out: targets.
+    """
+
+    places: FloatArray
+    values: FloatArray
+    variances: FloatArray
+    fixed: BoolArray
+
+    def joined(self, other: ShiftSample) -> ShiftSample:
+        """Both samples."""
+        return ShiftSample(
+            places=np.vstack([self.places, other.places]), values=np.vstack([self.values, other.values]),
+            variances=np.vstack([self.variances, other.variances]), fixed=np.concatenate([self.fixed, other.fixed]),
+        )  # fmt: skip
+
+
+def axis_of(places: FloatArray) -> tuple[tuple[float, float], float]:
+    """Main direction of (k, 2) places, and length over width of what they cover."""
+    centred = places - places.mean(axis=0)
+    _, vectors = np.linalg.eigh(centred.T @ centred)
+    along = vectors[:, 1] * np.sign(vectors[np.argmax(np.abs(vectors[:, 1])), 1])
+    extent = np.ptp(centred @ np.column_stack([along, [-along[1], along[0]]]), axis=0)
+    return (float(along[0]), float(along[1])), float(extent[0] / max(extent[1], 1e-9))
+
+
+def in_cells(places: FloatArray, values: FloatArray, variances: FloatArray, size: float) -> ShiftSample:
+    """Median shifts of the bodies in each cell of a grid of ``size`` metres, and their variances.
+
+    The stated (k, 3) ``variances`` are scaled to what neighbours differ by, since errors of their own are understated as a rule.
+    """
+    own = noise_between_neighbours(places, values, size)
+    scale = np.maximum(own / np.maximum(np.median(variances, axis=0), 1e-18), 1e-3)
+    key = np.floor((places - places.min(axis=0)) / size).astype(np.int64)
+    _, cell = np.unique(key[:, 0] * (key[:, 1].max() + 1) + key[:, 1], return_inverse=True)
+    order = np.argsort(cell, kind="stable")
+    groups = np.split(order, np.flatnonzero(np.diff(cell[order])) + 1)
+    middle = np.array([np.median(values[g], axis=0) for g in groups])
+    # a median of many is less certain than their mean by pi / 2 (Kendall and Stuart, 1977, The Advanced Theory of Statistics, 14.12)
+    spread = np.array([np.median(variances[g], axis=0) * scale * (1.0 if len(g) < 3 else math.pi / 2) / len(g) for g in groups])
+    centre = np.array([places[g].mean(axis=0) for g in groups])
+    return ShiftSample(places=centre, values=middle, variances=spread, fixed=np.zeros(len(groups), dtype=bool))
+
+
+def noise_between_neighbours(places: FloatArray, values: FloatArray, reach: float) -> FloatArray:
+    """(3,) variance of single bodies' shifts by component, from differences between neighbours within ``reach`` metres."""
+    pairs = cKDTree(places).query_pairs(reach, output_type="ndarray")
+    if len(pairs) < 8:
+        nearest = cKDTree(places).query(places, k=min(2, len(places)))[1].reshape(len(places), -1)[:, -1]
+        pairs = np.column_stack([np.arange(len(places)), nearest])
+    difference = values[pairs[:, 0]] - values[pairs[:, 1]]
+    return np.asarray(np.maximum(np.median(difference**2, axis=0) / CHI2_1_MEDIAN / 2, 1e-12))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bending:
+    """What :func:`estimate_bending` found.
+
+    Attributes
+    ----------
+    model
+        None where a rigid motion explains the shifts.
+    gain
+        Of log-likelihood over a rigid motion.
+    axis
+        Direction of the structure, unit vector (e, n).
+    jumps
+        Stretches, from and to along the axis in metres, that moved as one against all around them: no smooth bend does that.
+    """
+
+    model: FieldModel | None
+    gain: float
+    axis: tuple[float, float]
+    jumps: tuple[tuple[float, float], ...] = ()
+
+    def jumped(self, places: FloatArray) -> BoolArray:
+        """(k,) which of (k, 2 or 3) places lie on a stretch that moved as one."""
+        along = places[:, :2] @ np.array(self.axis)
+        inside = np.zeros(len(places), dtype=bool)
+        for low, high in self.jumps:
+            inside |= (along >= low) & (along <= high)
+        return inside
+
+
+def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = GAIN) -> Bending:
+    """Model of the bend that the shifts show.
+
+    Parameters
+    ----------
+    sample
+        Shifts by cells and targets.
+    shortest
+        Least correlation length looked for, metres.
+    least_gain
+        Gain of log-likelihood below which the frame is called rigid.
+    """
+    axis, elongation = axis_of(sample.places) if len(sample.places) > 1 else ((1.0, 0.0), 1.0)
+    rigid = Bending(model=None, gain=0.0, axis=axis)
+    if np.sum(~sample.fixed) < FEWEST_CELLS and not sample.fixed.all():
+        return rigid
+    along = sample.places @ np.array(axis)
+    extent = float(np.ptp(along))
+    lengths = np.geomspace(shortest, max(2 * extent, 2 * shortest), 10)
+    ratios = (1.0, 4.0) if elongation > ELONGATED else (1.0,)
+    first = _first_model(sample, along, lengths, axis)
+    windows, searched = [], []
+    for window in _windows(along):
+        kept = _kept(sample, window, first)
+        windows.append(window[kept])
+        searched.append(window[kept | _beside_a_step(sample, window, first, ~kept)])
+    model, gain = _likeliest(sample, windows, axis, lengths, ratios)
+    jumps: list[tuple[float, float]] = []
+    while model is not None and gain > least_gain and len(jumps) < MOST_JUMPS:
+        jump = _clearest_jump(sample, searched, along, model, shortest)
+        if jump is None:
+            break
+        jumps.append(jump)
+        inside = (along >= jump[0]) & (along <= jump[1]) & ~sample.fixed
+        windows, searched = ([window[~inside[window]] for window in part] for part in (windows, searched))
+        model, gain = _likeliest(sample, windows, axis, lengths, ratios)
+    if model is None or gain <= least_gain:
+        return replace(rigid, gain=gain)
+    return Bending(model=model, gain=gain, axis=axis, jumps=tuple(jumps))
+
+
+def explained(sample: ShiftSample, model: FieldModel) -> IntArray:
+    """Numbers of the cells that a robust adjustment of a ``model`` explains, of the windows of the likelihood: units there rest."""
+    along = sample.places @ np.array(model.axis)
+    return np.unique(np.concatenate([window[_kept(sample, window, model)] for window in _windows(along)]))
+
+
+def _likeliest(
+    sample: ShiftSample, windows: Sequence[IntArray], axis: tuple[float, float], lengths: FloatArray, ratios: Sequence[float]
+) -> tuple[FieldModel | None, float]:
+    """Likeliest model of all lengths, ratios and smoothnesses, and its gain over a rigid motion."""
+    noises = [_whiteners(sample, window) for window in windows]
+    best, gain = None, 0.0
+    for smoothness, ratio in product((2.5, 1.5), ratios):
+        if best is not None and smoothness < best.smoothness and best.across != ratio * best.length:
+            continue
+        for length in lengths:
+            model = FieldModel(sds=(1.0, 1.0, 1.0), length=length, across=length * ratio, axis=axis, smoothness=smoothness)
+            sds, found = _likely(sample, windows, noises, model)
+            if found > gain:
+                best, gain = replace(model, sds=sds), found
+    return best, gain
+
+
+def rigid_log_likelihood(sample: ShiftSample) -> float:
+    """Log-likelihood of the shifts under a rigid motion alone, up to a constant that depends on their number."""
+    total = 0.0
+    trend = _trend(sample.places)
+    for axis in range(3):
+        factor = np.linalg.cholesky(trend @ trend.T + np.diag(sample.variances[:, axis]))
+        white = solve_triangular(factor, sample.values[:, axis], lower=True)
+        total -= 0.5 * float(white @ white) + float(np.sum(np.log(np.diag(factor))))
+    return total
+
+
+def _clearest_jump(
+    sample: ShiftSample, windows: Sequence[IntArray], along: FloatArray, model: FieldModel, step: float
+) -> tuple[float, float] | None:
+    """Stretch whose common motion gains most likelihood under a model of the bend; None where none gains enough."""
+    best, found = JUMP_GAIN, None
+    longest = LONGEST_JUMP * float(np.ptp(along))
+    for window in windows:
+        free = ~sample.fixed[window]
+        edges = np.arange(along[window].min(), along[window].max() + step, step / 2)
+        bins = np.clip(np.searchsorted(edges, along[window], side="right") - 1, 0, len(edges) - 2)
+        gains, sizes = (np.zeros((len(edges), len(edges))) for _ in range(2))
+        scaled, trend = model.scaled(sample.places[window]), _trend(sample.places[window])
+        correlation = model.correlation(scaled, scaled)
+        member = np.zeros((len(edges) - 1, len(window)))
+        member[bins[free], np.flatnonzero(free)] = 1
+        for axis in range(3):
+            covariance = model.sds[axis] ** 2 * correlation + trend @ trend.T + np.diag(sample.variances[window, axis])
+            inverse = np.linalg.inv(covariance)
+            table, line = np.zeros((len(edges), len(edges))), np.zeros(len(edges))
+            table[1:, 1:] = np.cumsum(np.cumsum(member @ inverse @ member.T, axis=0), axis=1)
+            line[1:] = np.cumsum(member @ (inverse @ sample.values[window, axis]))
+            diagonal = np.diag(table)
+            inside = diagonal[None, :] + diagonal[:, None] - table - table.T
+            gains += 0.5 * (line[None, :] - line[:, None]) ** 2 / np.maximum(inside, 1e-12)
+            sizes += ((line[None, :] - line[:, None]) / np.maximum(inside, 1e-12)) ** 2
+        width = edges[None, :] - edges[:, None]
+        # what a bend itself does over the distance in which an end is seen is no step
+        smooth = STEEP * np.sum(np.square(model.sds)) * 2 * (1 - matern(np.array(step / model.length), model.smoothness))
+        gains[(width < step) | (width > longest) | (sizes < smooth)] = 0
+        low, high = np.unravel_index(int(np.argmax(gains)), gains.shape)
+        if gains[low, high] > best:
+            best, found = float(gains[low, high]), (float(edges[low]), float(edges[high]))
+    return found
+
+
+def _first_model(sample: ShiftSample, along: FloatArray, lengths: FloatArray, axis: tuple[float, float]) -> FieldModel:
+    """Model from the robust variogram along the structure."""
+    order = np.argsort(along)
+    lags: list[float] = []
+    halves: list[FloatArray] = []
+    top = float(np.ptp(along))
+    for step in np.unique(np.geomspace(1, max(len(order) // 2, 1), 16).astype(np.int64)):
+        i, j = order[:-step], order[step:]
+        lag = float(np.median(along[j] - along[i]))
+        if len(i) < 5 or lag > 0.6 * top:
+            continue
+        difference = (sample.values[j] - sample.values[i]) ** 2 / CHI2_1_MEDIAN / 2
+        lags.append(lag)
+        halves.append(np.median(difference, axis=0) - np.median(sample.variances[i] + sample.variances[j], axis=0) / 2)
+    if not lags:
+        return FieldModel(sds=(0.0, 0.0, 0.0), length=float(lengths[-1]), across=float(lengths[-1]), axis=axis)
+    at, half = np.array(lags), np.maximum(np.array(halves), 0.0)
+    best, chosen, sills = math.inf, float(lengths[-1]), np.zeros(3)
+    for length in lengths:
+        shape = 1 - matern(at / length, 2.5)
+        sill = shape @ half / (shape @ shape)
+        misfit = float(np.sum((half - shape[:, None] * sill) ** 2))
+        if misfit < best:
+            best, chosen, sills = misfit, float(length), sill
+    sds = np.sqrt(np.maximum(sills, 0.0))
+    return FieldModel(sds=(float(sds[0]), float(sds[1]), float(sds[2])), length=chosen, across=4 * chosen, axis=axis)
+
+
+def _windows(along: FloatArray) -> list[IntArray]:
+    """Numbers of the cells of stretches of the structure, each with what the likelihood can hold."""
+    order = np.argsort(along)
+    if len(order) <= MOST_CELLS:
+        return [order]
+    starts = np.linspace(0, len(order) - MOST_CELLS, WINDOWS).astype(np.int64)
+    return [order[s : s + MOST_CELLS] for s in starts]
+
+
+def _kept(sample: ShiftSample, window: IntArray, model: FieldModel) -> BoolArray:
+    """Which cells a robust adjustment of the first model explains; fixed observations always."""
+    places, fixed = sample.places[window], sample.fixed[window]
+    weight, misfit = np.ones(len(window)), np.zeros(len(window))
+    scaled, trend = model.scaled(places), _trend(places)
+    correlation = model.correlation(scaled, scaled)
+    for _ in range(12):
+        misfit = np.zeros(len(window))
+        for axis in range(3):
+            own = sample.variances[window, axis]
+            noise = own / weight
+            inverse = np.linalg.inv(model.sds[axis] ** 2 * correlation + trend @ trend.T + np.diag(noise))
+            # prediction of each from all others, with its own stated variance
+            away = inverse @ sample.values[window, axis] / np.diag(inverse)
+            misfit += away**2 / (1 / np.diag(inverse) - noise + own)
+        weights, size = t_weights(misfit)
+        weight = np.where(fixed, 1.0, weights)
+    return np.asarray(fixed | (misfit / size < CLEAR_OUTLIER**2))
+
+
+def _beside_a_step(sample: ShiftSample, window: IntArray, model: FieldModel, doubtful: BoolArray) -> BoolArray:
+    """Which doubtful cells agree with those on one side of them: where a stretch moved as one, no smooth field explains its ends."""
+    along = sample.places[window] @ np.array(model.axis)
+    free = ~sample.fixed[window]
+    found = np.zeros(len(window), dtype=bool)
+    for k in np.flatnonzero(doubtful):
+        apart = along - along[k]
+        for side in (apart < 0, apart > 0):
+            near = np.flatnonzero(side & free & (np.abs(apart) < SIDE_SHARE * model.length))
+            near = near[np.argsort(np.abs(apart[near]))[:SIDE_CELLS]]
+            if len(near) < SIDE_CELLS:
+                continue
+            away = sample.values[window[k]] - np.median(sample.values[window[near]], axis=0)
+            bent = 2 * np.square(model.sds) * (1 - matern(np.abs(apart[near]).mean() / np.array(model.length), model.smoothness))
+            found[k] |= bool(np.sum(away**2 / (2 * sample.variances[window[k]] + bent)) < AGREEING**2)
+    return found
+
+
+def _trend(places: FloatArray) -> FloatArray:
+    """(k, 3) columns of a shift and two slopes, scaled by their prior deviations."""
+    arm = places - places.mean(axis=0)
+    return np.column_stack([np.full(len(places), TREND_SHIFT), TREND_SLOPE * arm])
+
+
+def _whiteners(sample: ShiftSample, window: IntArray) -> list[tuple[FloatArray, FloatArray]]:
+    """By component, inverse Cholesky factor of the covariance of noise and trend, and the values it whitens."""
+    trend = _trend(sample.places[window])
+    found = []
+    for axis in range(3):
+        factor = np.linalg.cholesky(trend @ trend.T + np.diag(sample.variances[window, axis]))
+        inverse = solve_triangular(factor, np.eye(len(window)), lower=True)
+        found.append((inverse, inverse @ sample.values[window, axis]))
+    return found
+
+
+def _likely(
+    sample: ShiftSample, windows: Sequence[IntArray], noises: Sequence[list[tuple[FloatArray, FloatArray]]], model: FieldModel
+) -> tuple[tuple[float, float, float], float]:
+    """Most likely standard deviations of a field of given lengths, and the gain of log-likelihood over a rigid motion, all components."""
+    sds, gain = [], 0.0
+    correlations = [model.correlation(scaled, scaled) for scaled in (model.scaled(sample.places[window]) for window in windows)]
+    for axis in range(3):
+        # in the eigenvectors of the whitened correlation every standard deviation costs one sum
+        spectra = []
+        for correlation, noise in zip(correlations, noises, strict=True):
+            inverse, white = noise[axis]
+            values, vectors = np.linalg.eigh(inverse @ correlation @ inverse.T)
+            spectra.append((np.maximum(values, 0.0), (vectors.T @ white) ** 2))
+        value = np.concatenate([v for v, _ in spectra])
+        square = np.concatenate([s for _, s in spectra])
+
+        def loss(log_sd: float, value: FloatArray = value, square: FloatArray = square) -> float:
+            grown = 1 + math.exp(2 * log_sd) * value
+            return float(0.5 * np.sum(square / grown) + 0.5 * np.sum(np.log(grown)))
+
+        typical = 0.5 * math.log(float(np.median(sample.variances[:, axis])))
+        # smooth waves are fitted alike by a longer and larger field, which would say too little between targets: no larger than it is seen
+        seen = np.concatenate(
+            [sample.values[w[~sample.fixed[w]], axis] if not sample.fixed[w].all() else sample.values[w, axis] for w in windows]
+        )
+        largest = math.log(max(LARGEST_SHARE * MAD_TO_SD * float(np.median(np.abs(seen - np.median(seen)))), math.exp(typical)))
+        found = minimize_scalar(loss, bounds=(typical - 2.0, min(largest, typical + 5.0) + 0.1), method="bounded", options={"xatol": 0.02})
+        better = 0.5 * float(np.sum(square)) - float(found.fun)
+        sds.append(math.exp(float(found.x)) if better > 1.0 else 0.0)
+        gain += max(better, 0.0)
+    return (sds[0], sds[1], sds[2]), gain

@@ -1,0 +1,135 @@
+"""Alarm list: units displaced by more than a threshold, as CSV or GeoJSON, rejected units left out."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Sequence
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+from ..common.atomic_files import write_whole
+from ..common.csv_text import SPREADSHEET_ENCODING, signs, spreadsheet_safe
+from ..common.errors import InputError
+from ..results.field_checks import foreign_contents
+from ..results.geopackage_reader import EpochPair, srs_of
+from ..results.result_access import reading
+from ..results.unit_rows import UnitRow, over, read_unit_rows
+from ..review.decisions import read_reviews, rejected_units
+from .result_choice import choose_pair
+
+COLUMNS = (
+    "unit_id",
+    "class",
+    "epoch_from",
+    "epoch_to",
+    "datum",
+    "easting",
+    "northing",
+    "height",
+    "d_3d",
+    "sd_3d",
+    "d_horizontal",
+    "dh",
+    "rotation_deg",
+    "p_value",
+    "broken_legs",
+    "leg_missing",
+    "decision",
+    "reviewer",
+    "comment",
+)
+
+
+def write_alarms(
+    result: Path, output: Path, threshold: float, *, pair: EpochPair | None = None, datum: str | None = None, separator: str = "comma"
+) -> int:
+    """Write the alarm list of an epoch pair and return the number of units on it.
+
+    Lost and relocated units and those with a broken leg are on the list whatever the threshold.
+
+    Parameters
+    ----------
+    result
+        result.gpkg.
+    output
+        ``.csv`` or ``.geojson`` (coordinates in the survey's CRS, named in the file's ``crs`` member).
+    threshold
+        3D displacement of the centre in metres.
+    pair, datum
+        The last consecutive pair and the default datum unless given.
+    separator
+        Of a CSV, by its name in :data:`~tetratrack.core.common.csv_text.SEPARATORS`.
+
+    Raises
+    ------
+    InputError
+        The result has no such pair, or the output's ending is another.
+    OutputError
+        The file cannot be written.
+    """
+    with foreign_contents(result):
+        return _write_alarms(result, output, threshold, pair, datum, separator)
+
+
+def _write_alarms(result: Path, output: Path, threshold: float, pair: EpochPair | None, datum: str | None, separator: str) -> int:
+    chosen, reference = choose_pair(result, pair, datum)
+    rows = over(read_unit_rows(result, chosen, reference), threshold, rejected_units(result, chosen))
+    reviews = read_reviews(result)
+    records = []
+    for row in rows:
+        review = reviews.get((row.unit_id, chosen))
+        words = (review.decision, review.reviewer, review.comment) if review else ("", "", "")
+        records.append(_record(row, chosen, reference, words))
+    kind = output.suffix.lower()
+    if kind == ".csv":
+        content = _csv(records, separator).encode(SPREADSHEET_ENCODING)
+    elif kind in (".geojson", ".json"):
+        with reading(result) as connection:
+            content = _geojson(rows, records, srs_of(connection)).encode("utf-8")
+    else:
+        raise InputError(
+            f"cannot be written as {kind or 'a file without ending'}", source=output, remedy="End the name in .csv or .geojson."
+        )
+    write_whole(output, content)
+    return len(rows)
+
+
+def _record(row: UnitRow, pair: EpochPair, datum: str, words: tuple[str, str, str]) -> dict[str, Any]:
+    place = (None, None, None) if row.place is None else tuple(round(float(value), 4) for value in row.place)
+    measures = (row.d_3d, row.sd_3d, row.d_horizontal, row.vertical, row.rotation_deg)
+    rounded = [None if value is None else round(float(value), 5) for value in measures]
+    legs = " ".join(str(k) for k in row.broken_legs)
+    missing = None if row.leg_missing is None else round(float(row.leg_missing), 3)
+    values = (row.unit_id, row.kind, pair.epoch_from, pair.epoch_to, datum, *place, *rounded, row.p_value, legs, missing, *words)
+    return dict(zip(COLUMNS, values, strict=True))
+
+
+def _csv(records: Sequence[dict[str, Any]], separator: str) -> str:
+    between, decimal = signs(separator)
+    text = StringIO()
+    writer = csv.DictWriter(text, COLUMNS, delimiter=between, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows([{name: _cell(value, decimal) for name, value in record.items()} for record in records])
+    return text.getvalue()
+
+
+def _cell(value: Any, decimal: str) -> Any:
+    return str(value).replace(".", decimal) if isinstance(value, float) else spreadsheet_safe(value)
+
+
+def _geojson(rows: Sequence[UnitRow], records: Sequence[dict[str, Any]], srs: int) -> str:
+    features = [
+        {
+            "type": "Feature",
+            "geometry": None if row.place is None else {"type": "Point", "coordinates": [round(float(value), 4) for value in row.place]},
+            "properties": record,
+        }
+        for row, record in zip(rows, records, strict=True)
+    ]
+    content: dict[str, Any] = {"type": "FeatureCollection", "features": features}
+    # RFC 7946 knows longitude and latitude only; the older crs member, which GDAL and QGIS read, keeps survey coordinates exact
+    if srs > 0:
+        content["crs"] = {"type": "name", "properties": {"name": f"urn:ogc:def:crs:EPSG::{srs}"}}
+    return json.dumps(content, ensure_ascii=False, indent=1)

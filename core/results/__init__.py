@@ -1,0 +1,1 @@
+"""The result file; sqlite3 only, readable inside QGIS."""

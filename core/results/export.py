@@ -1,0 +1,115 @@
+"""Layers of a result as CSV and GeoParquet, for spreadsheets and data science."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from ..common.atomic_files import write_all
+from ..common.csv_text import SPREADSHEET_ENCODING, signs, spreadsheet_safe
+from ..common.errors import InputError, OutputError
+from ..common.output_files import check_targets
+from ..common.sqlite_files import has_leftovers
+from .geopackage_reader import table_names
+from .result_access import is_writable, reading
+from .schema import LAYERS
+
+FORMATS = ("csv", "parquet")
+
+
+def export_layers(
+    result: Path, folder: Path, formats: Sequence[str] = FORMATS, layers: Sequence[str] = (), separator: str = "comma"
+) -> list[Path]:
+    """Write every layer of a result to ``folder/<layer>.csv`` and ``folder/<layer>.parquet``.
+
+    A CSV has the coordinates in columns ``x``, ``y``, ``z`` (and ``x_to``, ``y_to``, ``z_to`` of lines), in the CRS of the result;
+    times are ISO 8601 in UTC. Text that a spreadsheet would run as a formula has an apostrophe before it.
+
+    Parameters
+    ----------
+    result
+        GeoPackage of tetratrack.
+    folder
+        Made if it is missing.
+    formats
+        Of ``csv`` and ``parquet``.
+    layers
+        Names; empty for all.
+    separator
+        Of a CSV, by its name in :data:`~tetratrack.core.common.csv_text.SEPARATORS`.
+
+    Raises
+    ------
+    InputError
+        The result has no such layer.
+    OutputError
+        A file cannot be written.
+    """
+    between, decimal = signs(separator)
+    present = table_names(result)
+    missing = sorted(set(layers) - (present & LAYERS.keys()))
+    if missing:
+        raise InputError(f"has no layer {', '.join(missing)}", source=result, remedy=f"Layers are: {', '.join(LAYERS)}.")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"cannot be made ({error.strerror})", source=folder, remedy="Give a folder that can be written.") from error
+    chosen = list(layers) or [name for name in LAYERS if name in present]
+    check_targets(
+        [(folder / f"{name}.{kind}", f"layer {name}") for name in dict.fromkeys(chosen) for kind in dict.fromkeys(formats)], [result]
+    )
+    contents: dict[Path, bytes] = {}
+    for name in chosen:
+        frame = _read(result, name)
+        for kind in formats:
+            target = folder / f"{name}.{kind}"
+            buffer = io.BytesIO()
+            if kind == "csv":
+                _safe(_flat(frame)).to_csv(
+                    buffer, index=False, date_format="%Y-%m-%dT%H:%M:%SZ", encoding=SPREADSHEET_ENCODING, sep=between, decimal=decimal
+                )
+            else:
+                frame.to_parquet(buffer, index=False)
+            contents[target] = buffer.getvalue()
+    write_all(contents)
+    return list(contents)
+
+
+def _read(result: Path, name: str) -> Any:
+    """Layer as a (Geo)DataFrame."""
+    import geopandas
+    from pyogrio.errors import DataLayerError, DataSourceError
+
+    with reading(result):
+        # recovered, and its layers are tables: now GDAL reads what SQLite has read
+        immutable = {} if is_writable(result) or has_leftovers(result) else {"IMMUTABLE": "YES"}
+    try:
+        return geopandas.read_file(result, layer=name, engine="pyogrio", **immutable)
+    except (DataSourceError, DataLayerError) as error:
+        raise InputError("cannot be read", source=result, remedy="Give a result of tetratrack.") from error
+
+
+def _safe(frame: Any) -> Any:
+    """A table whose texts no spreadsheet runs."""
+    texts = [name for name in frame.columns if any(isinstance(value, str) for value in frame[name])]
+    return frame.assign(**{name: frame[name].map(spreadsheet_safe) for name in texts})
+
+
+def _flat(frame: Any) -> Any:
+    """A table without geometry: coordinates as columns."""
+    import pandas
+    import shapely
+
+    if "geometry" not in frame:
+        return frame
+    shapes = frame.geometry.to_numpy()
+    columns: dict[str, Any] = {}
+    for end, suffix in ((0, ""), (-1, "_to")):
+        if suffix and not (shapely.get_type_id(shapes) == shapely.GeometryType.LINESTRING).any():
+            break
+        points = [None if s is None or s.is_empty else shapely.get_coordinates(s, include_z=True)[end] for s in shapes]
+        for k, axis in enumerate("xyz"):
+            columns[f"{axis}{suffix}"] = [None if p is None else p[k] for p in points]
+    return pandas.concat([pandas.DataFrame(frame.drop(columns="geometry")), pandas.DataFrame(columns, index=frame.index)], axis=1)

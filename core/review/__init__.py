@@ -1,0 +1,1 @@
+"""A person's decisions and corrections on a result; sqlite3 and numpy only."""

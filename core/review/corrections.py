@@ -1,0 +1,403 @@
+"""Corrections by hand to a finished result: delete, merge, split, a new pose, picks beside the fit, a placeholder for a unit not found.
+
+Every correction is one transaction on the result file and one row in ``unit_edits`` with the rows it replaced, so that it stays
+visible who changed what, and can be taken back, by the one who made it. Nothing is taken out of ``unit_edits``: taking back appends a
+row of kind ``undo`` and marks the one it takes back. Decisions that rested on the numbers a correction changes lapse with it.
+"""
+
+from __future__ import annotations
+
+import json
+import sqlite3
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..common.arrays import FloatArray
+from ..common.errors import InputError
+from ..model.outline import rotation_of_quaternion
+from ..results.geopackage_reader import Row, add_spatial_functions, encode_point, now_utc, query, srs_of, table_names
+from ..results.result_access import reading
+from ..results.schema import FEATURES
+from .bodies import redraw_bodies
+from .decisions import settle, writing
+from .pose_consequences import NewPose, carry_displacements, connect_epochs, drop_velocities, write_features, write_pose
+from .pose_from_picks import nearest_labels
+from .unit_records import DELETE_ROW, RENAME_ROW, insert_row, place_of, rows_of_unit
+
+UNDO = "undo"
+"""Kind of a row of ``unit_edits`` that takes another back."""
+CREATE_EDITS = (
+    "CREATE TABLE IF NOT EXISTS unit_edits (fid INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, geom BLOB, kind TEXT, unit_id TEXT, "
+    "epoch TEXT, comment TEXT, editor TEXT, edited_at DATETIME, before TEXT, undone BOOLEAN DEFAULT 0, undoes INTEGER)"
+)
+CREATE_PICKS = (
+    "CREATE TABLE IF NOT EXISTS manual_picks (fid INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, geom BLOB, unit_id TEXT, epoch TEXT, "
+    "feature TEXT, picked_by TEXT, picked_at DATETIME)"
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnitEdit:
+    """One correction: ``kind`` is delete, merge, split, pose or placeholder."""
+
+    number: int
+    kind: str
+    unit_id: str
+    epoch: str
+    comment: str
+    editor: str
+    edited_at: str
+    undone: bool
+    undone_by: str = ""
+
+
+def read_edits(path: Path) -> list[UnitEdit]:
+    """All corrections, oldest first, with who took them back."""
+    if "unit_edits" not in table_names(path):
+        return []
+    with reading(path) as connection:
+        rows = query(connection, "SELECT * FROM unit_edits ORDER BY fid")
+    taken_back = {row["undoes"]: row["editor"] for row in rows if row.get("undoes") is not None}
+    return [
+        UnitEdit(
+            number=row["fid"],
+            kind=row["kind"],
+            unit_id=row["unit_id"],
+            epoch=row["epoch"] or "",
+            comment=row["comment"] or "",
+            editor=row["editor"],
+            edited_at=row["edited_at"],
+            undone=bool(row["undone"]),
+            undone_by=taken_back.get(row["fid"], ""),
+        )
+        for row in rows
+        if row["kind"] != UNDO
+    ]
+
+
+def last_edit_of(path: Path, editor: str) -> UnitEdit | None:
+    """The last correction of one person that stands."""
+    mine = (edit for edit in reversed(read_edits(path)) if not edit.undone and edit.editor.casefold() == editor.strip().casefold())
+    return next(mine, None)
+
+
+def edits_stamp(path: Path) -> tuple[int, int]:
+    """Last rows of corrections and picks: a cheap look whether anybody corrected anything."""
+    tables = table_names(path)
+    statements = {
+        "unit_edits": "SELECT coalesce(max(fid), 0) FROM unit_edits",
+        "manual_picks": "SELECT coalesce(max(fid), 0) FROM manual_picks",
+    }
+    with reading(path) as connection:
+        edits, picks = (int(connection.execute(sql).fetchone()[0]) if name in tables else 0 for name, sql in statements.items())
+    return edits, picks
+
+
+def read_picks(path: Path, unit_id: str) -> list[Row]:
+    """Points of a unit picked by hand, rows of ``manual_picks``."""
+    if "manual_picks" not in table_names(path):
+        return []
+    with reading(path) as connection:
+        return query(connection, "SELECT * FROM manual_picks WHERE unit_id = ? ORDER BY fid", (unit_id,))
+
+
+def store_picks(path: Path, unit_id: str, epoch: str, picks: dict[str, ArrayLike], *, editor: str) -> None:
+    """Keep hand-picked feature points beside the fit; a feature picked again replaces the same person's older pick.
+
+    Parameters
+    ----------
+    picks
+        Feature name to (3,) coordinates in the control frame.
+
+    Raises
+    ------
+    InputError
+        A feature does not exist.
+    OutputError
+        The file cannot be written.
+    """
+    unknown = sorted(set(picks) - set(FEATURES))
+    if unknown:
+        raise InputError(f"there is no feature {unknown[0]}", where=f"unit {unit_id}", remedy=f"Use one of {', '.join(FEATURES)}.")
+    with writing(path) as connection:
+        connection.execute(CREATE_PICKS)
+        _register_layer(connection, "manual_picks", "Feature points picked by hand, beside the fit", "POINT")
+        srs = srs_of(connection)
+        for feature, place in picks.items():
+            key = (unit_id, epoch, feature, editor)
+            connection.execute("DELETE FROM manual_picks WHERE unit_id = ? AND epoch = ? AND feature = ? AND picked_by = ?", key)
+            connection.execute(
+                "INSERT INTO manual_picks (geom, unit_id, epoch, feature, picked_by, picked_at) VALUES (?, ?, ?, ?, ?, ?)",
+                (encode_point(srs, np.asarray(place, dtype=np.float64)), *key, now_utc()),
+            )
+
+
+def add_placeholder(path: Path, epoch: str, place: ArrayLike, *, editor: str, comment: str = "") -> str:
+    """Mark a unit that is there but was not found, so that completeness can be stated; its name."""
+    with writing(path) as connection:
+        _prepare(connection)
+        used = {str(row["unit_id"]) for row in connection.execute("SELECT unit_id FROM unit_edits WHERE kind = 'placeholder'")}
+        number = next(k for k in range(1, len(used) + 2) if f"P{k:03d}" not in used)
+        _log(connection, "placeholder", f"P{number:03d}", epoch, np.asarray(place, dtype=np.float64), comment, editor, {})
+        return f"P{number:03d}"
+
+
+def placeholders(path: Path, epoch: str) -> list[tuple[str, FloatArray]]:
+    """Name and place of the standing placeholders of an epoch."""
+    if "unit_edits" not in table_names(path):
+        return []
+    with reading(path) as connection:
+        rows = query(connection, "SELECT * FROM unit_edits WHERE kind = 'placeholder' AND epoch = ? AND NOT undone ORDER BY fid", (epoch,))
+    return [(row["unit_id"], row["geom"]) for row in rows]
+
+
+def delete_unit(path: Path, unit_id: str, *, editor: str, comment: str = "") -> None:
+    """Take a false unit out of the result, in all epochs.
+
+    Raises
+    ------
+    InputError
+        There is no such unit.
+    """
+    with writing(path) as connection:
+        _prepare(connection)
+        before = rows_of_unit(connection, unit_id)
+        place = place_of(before)
+        for layer, rows in before.items():
+            connection.executemany(DELETE_ROW[layer], [(row["fid"],) for row in rows])
+        _log(connection, "delete", unit_id, "", place, comment, editor, {"deleted": before})
+
+
+def merge_units(path: Path, keep: str, other: str, *, editor: str, comment: str = "") -> None:
+    """Make one unit of two names that are the same physical unit in different epochs; displacements between them follow.
+
+    Raises
+    ------
+    InputError
+        A unit does not exist, or both were found in the same epoch.
+    """
+    with writing(path) as connection:
+        _prepare(connection)
+        kept, gone = rows_of_unit(connection, keep), rows_of_unit(connection, other)
+        found = [{row["epoch"] for row in rows["units"] if row["geom"] is not None} for rows in (kept, gone)]
+        both = sorted(found[0] & found[1])
+        if both:
+            raise InputError(f"both were found in {both[0]}", where=f"units {keep} and {other}", remedy="Delete the wrong one instead.")
+        place = place_of(gone)
+        # where one of them was found, the other's "lost", "unseen" or "new" no longer holds
+        absent = {row["epoch"] for row in kept["units"]}
+        stale = [row for row in kept["units"] if row["geom"] is None and row["epoch"] in found[1]]
+        stale += [row for row in gone["units"] if row["geom"] is None and row["epoch"] in absent]
+        stale_fids = {row["fid"] for row in stale}
+        connection.executemany(DELETE_ROW["units"], [(fid,) for fid in stale_fids])
+        for layer, statement in RENAME_ROW.items():
+            names = [(keep, row["fid"]) for row in gone.get(layer, []) if layer != "units" or row["fid"] not in stale_fids]
+            connection.executemany(statement, names)
+        connection.execute(
+            "UPDATE units SET status = 'found' WHERE unit_id = ? AND status IN ('new', 'relocated') AND geom IS NOT NULL", (keep,)
+        )
+        added = connect_epochs(connection, keep, found[0], found[1])
+        drop_velocities(connection, kept, gone)
+        _log(
+            connection,
+            "merge",
+            keep,
+            "",
+            place,
+            comment,
+            editor,
+            {"deleted": {"units": stale}, "renamed": gone, "changed": kept, "added": added},
+        )
+
+
+def split_unit(path: Path, unit_id: str, epoch: str, *, editor: str, comment: str = "") -> str:
+    """From an epoch on, give a unit a new name: two physical units had been taken for one; the new name.
+
+    Raises
+    ------
+    InputError
+        The unit was not found both before and from that epoch on.
+    """
+    with writing(path) as connection:
+        _prepare(connection)
+        before = rows_of_unit(connection, unit_id)
+        place = place_of(before)
+        times = {row["epoch"]: row["epoch_time"] or "" for row in before["units"]}
+        later = {label for label in times if times[label] >= times.get(epoch, "\uffff")}
+        found = {row["epoch"] for row in before["units"] if row["geom"] is not None}
+        if not (found & later and found - later):
+            raise InputError(
+                f"was not found both before and from {epoch} on", where=f"unit {unit_id}", remedy="Choose the epoch it changes at."
+            )
+        taken = {str(row["unit_id"]) for row in connection.execute("SELECT DISTINCT unit_id FROM units")}
+        name = next(f"{unit_id}{letter}" for letter in "bcdefghijklmnopqrstuvwxyz" if f"{unit_id}{letter}" not in taken)
+        for layer in ("units", "feature_points", "check_residuals"):
+            connection.executemany(RENAME_ROW[layer], [(name, row["fid"]) for row in before.get(layer, []) if row["epoch"] in later])
+        for layer in ("displacements", "displacements_other"):
+            across = [row for row in before.get(layer, []) if (row["epoch_from"] in later) != (row["epoch_to"] in later)]
+            connection.executemany(DELETE_ROW[layer], [(row["fid"],) for row in across])
+            inside = [row for row in before.get(layer, []) if row["epoch_from"] in later and row["epoch_to"] in later]
+            connection.executemany(RENAME_ROW[layer], [(name, row["fid"]) for row in inside])
+        first = min(found & later, key=lambda label: times[label])
+        connection.execute("UPDATE units SET status = 'new' WHERE unit_id = ? AND epoch = ?", (name, first))
+        drop_velocities(connection, before)
+        _log(connection, "split", unit_id, epoch, place, comment, editor, {"changed": before, "name": name})
+        return name
+
+
+def set_pose(path: Path, unit_id: str, epoch: str, pose: NewPose, *, editor: str, comment: str = "") -> None:
+    """Replace the pose of a unit in one epoch and bring its feature points and displacements along.
+
+    The legs are numbered as before (the rotation of the tetrapod onto itself that turns it least). Displacements change by the
+    change of the feature points, and their variances grow by what the new fit is worse than the old. Statistic and
+    p-value then follow from the standard deviations (chi-square with three degrees of freedom).
+
+    Raises
+    ------
+    InputError
+        The unit has no row in that epoch.
+    """
+    with writing(path) as connection:
+        _prepare(connection)
+        before = rows_of_unit(connection, unit_id)
+        place = place_of(before)
+        old = next((row for row in before["units"] if row["epoch"] == epoch), None)
+        if old is None:
+            raise InputError(f"is not in epoch {epoch}", where=f"unit {unit_id}", remedy="Choose an epoch of the result.")
+        rotation = pose.rotation
+        reference = next((row for row in [old, *before["units"]] if row["qw"] is not None), None)
+        if reference is not None:
+            rotation = nearest_labels(rotation_of_quaternion([reference[name] for name in ("qx", "qy", "qz", "qw")]), rotation)
+        found = {row["epoch"] for row in before["units"] if row["geom"] is not None}
+        write_pose(connection, old, pose, rotation)
+        write_features(connection, before["feature_points"], old, pose, rotation)
+        added: dict[str, list[int]] = {}
+        if epoch in found:
+            carry_displacements(connection, before, epoch, old, pose)
+        else:
+            added = connect_epochs(connection, unit_id, found, {epoch})
+        drop_velocities(connection, before)
+        _log(connection, "pose", unit_id, epoch, place, comment, editor, {"changed": before, "added": added})
+
+
+def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
+    """Take back a correction of one's own: the rows it replaced come back as they were.
+
+    Raises
+    ------
+    InputError
+        There is no such correction, it is somebody else's or taken back already, or a later one on the same unit stands.
+    """
+    with writing(path) as connection:
+        _prepare(connection)
+        rows = query(connection, "SELECT * FROM unit_edits WHERE fid = ?", (number,))
+        if not rows or rows[0]["undone"] or rows[0]["kind"] == UNDO:
+            raise InputError(f"correction {number} does not stand", remedy="Choose one that is not taken back yet.")
+        row = rows[0]
+        if row["editor"].casefold() != editor.strip().casefold():
+            raise InputError(f"correction {number} is {row['editor']}'s", remedy="Only your own corrections can be taken back.")
+        touched = _touched(row)
+        later = query(connection, "SELECT * FROM unit_edits WHERE fid > ? AND NOT undone AND kind <> ?", (number, UNDO))
+        blocking = next((edit for edit in later if touched & _touched(edit)), None)
+        if blocking is not None:
+            raise InputError(
+                f"unit {blocking['unit_id']} was corrected again later, by {blocking['editor']}",
+                remedy="The later correction has to be taken back first.",
+            )
+        before: dict[str, Any] = json.loads(row["before"] or "{}")
+        for layer, fids in before.get("added", {}).items():
+            connection.executemany(DELETE_ROW[layer], [(fid,) for fid in fids])
+        for part in ("deleted", "renamed", "changed"):
+            for layer, replaced in before.get(part, {}).items():
+                for old in replaced:
+                    connection.execute(DELETE_ROW[layer], (old["fid"],))
+                    insert_row(connection, layer, {name: bytes.fromhex(v) if name == "geom" and v else v for name, v in old.items()})
+        redraw_bodies(connection, touched)
+        connection.execute("UPDATE unit_edits SET undone = 1 WHERE fid = ?", (number,))
+        _log(connection, UNDO, row["unit_id"], row["epoch"] or "", row["geom"], "", editor, {}, undoes=number)
+        return UnitEdit(
+            number=number,
+            kind=row["kind"],
+            unit_id=row["unit_id"],
+            epoch=row["epoch"] or "",
+            comment=row["comment"] or "",
+            editor=editor,
+            edited_at=now_utc(),
+            undone=True,
+            undone_by=editor,
+        )
+
+
+def _touched(edit: Row) -> set[str]:
+    """Names of all units whose rows a correction changed."""
+    before: dict[str, Any] = json.loads(edit["before"] or "{}")
+    return {str(edit["unit_id"]), str(before.get("name", edit["unit_id"])), *_units_of(before)}
+
+
+def _prepare(connection: sqlite3.Connection) -> None:
+    add_spatial_functions(connection)
+    connection.execute(CREATE_EDITS)
+    if "undoes" not in {str(row["name"]) for row in connection.execute("SELECT name FROM pragma_table_info('unit_edits')")}:
+        connection.execute("ALTER TABLE unit_edits ADD COLUMN undoes INTEGER")
+    _register_layer(connection, "unit_edits", "Corrections by hand, and placeholders for units that were not found", "POINT")
+
+
+def _register_layer(connection: sqlite3.Connection, table: str, description: str, kind: str) -> None:
+    srs = srs_of(connection)
+    connection.execute(
+        "INSERT OR IGNORE INTO gpkg_contents (table_name, data_type, identifier, description, last_change, srs_id) "
+        "VALUES (?, 'features', ?, ?, ?, ?)",
+        (table, table, description, now_utc(), srs),
+    )
+    connection.execute(
+        "INSERT OR IGNORE INTO gpkg_geometry_columns (table_name, column_name, geometry_type_name, srs_id, z, m) "
+        "VALUES (?, 'geom', ?, ?, 1, 0)",
+        (table, kind, srs),
+    )
+
+
+def _log(
+    connection: sqlite3.Connection,
+    kind: str,
+    unit_id: str,
+    epoch: str,
+    place: FloatArray | None,
+    comment: str,
+    editor: str,
+    before: dict[str, Any],
+    *,
+    undoes: int | None = None,
+) -> None:
+    if not editor.strip():
+        raise InputError("the editor has no name", remedy="Enter your name or initials; it stands beside every correction.")
+    point = None if place is None else encode_point(srs_of(connection), place)
+    connection.execute(
+        "INSERT INTO unit_edits (geom, kind, unit_id, epoch, comment, editor, edited_at, before, undone, undoes) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, 0, ?)",
+        (point, kind, unit_id, epoch, comment, editor.strip(), now_utc(), json.dumps(_plain(before)), undoes),
+    )
+    settle(connection, editor.strip())
+    redraw_bodies(connection, {unit_id, str(before.get("name", unit_id)), *_units_of(before)})
+    connection.execute("UPDATE gpkg_contents SET last_change = ?", (now_utc(),))
+
+
+def _units_of(before: dict[str, Any]) -> set[str]:
+    """Units whose rows a correction replaced."""
+    parts = [before[part] for part in ("deleted", "renamed", "changed") if part in before]
+    return {str(row["unit_id"]) for layers in parts for rows in layers.values() for row in rows}
+
+
+def _plain(value: Any) -> Any:
+    """JSON form of replaced rows: geometry as hexadecimal GeoPackage binary."""
+    if isinstance(value, dict):
+        if "raw_geom" in value:
+            raw = value["raw_geom"]
+            return {**{k: v for k, v in value.items() if k not in ("geom", "raw_geom")}, "geom": raw.hex() if raw else None}
+        return {k: _plain(v) for k, v in value.items()}
+    if isinstance(value, list):
+        return [_plain(v) for v in value]
+    return value

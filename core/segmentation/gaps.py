@@ -1,0 +1,397 @@
+"""Places in one epoch where a unit is likely missing: points that no unit explains, and holes in the armour.
+
+Only places that found units surround are looked at, so that the border of the layer and its underside are never taken for gaps, and
+only where a whole unit fits between the found ones: two solids cannot interpenetrate. Loose piles have many such pores, so room alone
+says nothing. What the cloud shows that belongs to no unit must speak as well: either it lies on the surface of a unit in
+that place, or it reaches into the place's core, which is then seen to be empty, and the place is as wide as a unit's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from numba import prange
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
+
+from ..common.arrays import FloatArray, IntArray
+from ..common.kernels import kernel
+from ..common.neighbourhood import build_grid
+from ..common.voxels import thin
+from ..model.tetrapod import relate, surface_area
+from ..model.unit_types import UnitType
+from .aggregation import assign
+from .cone_relation import height_above_cones
+from .overlaps import CLOSEST_HEIGHTS, REACH_HEIGHTS, nearest_centres
+from .pose_evidence import NUMBER_OF_CELLS
+from .pose_refinement import refine
+from .scene import Scene
+from .surface_elements import THINNING_RATIO, element_normals
+from .verification import FEWEST_CELLS, MOST_OVERLAP, overlap, solid_samples
+
+STEP_HEIGHTS = 0.12
+"""Distance between the places tried: half the radius of a unit's core."""
+VOXEL_HEIGHTS = 2 * THINNING_RATIO
+"""Thinning of the points; coarse enough that a voxel on a surface is filled at any useful density."""
+EXPLAINED_HEIGHTS = 0.05
+"""A point nearer than this to a unit's surface, or inside it, is that unit's: noise, roughness and the fillets of the joints."""
+SURROUNDINGS_HEIGHTS = 1.5
+"""Units within this distance must surround a place: the neighbours of a unit in a pile lie at 0.7 to 1.2 H."""
+SURFACE_HEIGHTS = 3.0
+"""Units within this distance tell the run of the armour's surface."""
+WIDEST_GAP = np.radians(120)
+"""Largest angle between neighbours in the armour's surface: six around a place with one missing."""
+COARSE = 4
+"""Steps of the lattice in a cell of the first, coarse look."""
+ROTATIONS = 150
+"""Orientations tried in a place: about 20 degrees apart, modulo the unit's symmetry; the best is settled by least squares."""
+FIT_SAMPLES = 300
+FEWEST_AROUND = 4
+"""Units that must stand around a place."""
+TIGHTEST = 0.05
+"""Share of the epoch's units that may stand closer to their nearest neighbour than a missing one would."""
+MOST_INSIDE = 0.08
+"""Elements inside a unit, over those on its surface, above which they contradict it; as in the verification of poses."""
+EXPLAINS_MOST = 0.75
+"""Share of the points of no unit around a place that a unit there must explain, for rock seen through a pore seldom fits as well; and
+share of the cross-section of a unit's core that the cloud must reach into to show it empty."""
+
+
+class _Lists(NamedTuple):
+    """Lists of indices as starts (n + 1,) and one array, as compiled loops like them."""
+
+    starts: IntArray
+    items: IntArray
+
+
+class _Solids(NamedTuple):
+    """(n, 12) poses of units and (n,) their types; of each type leg directions (k, 4, 3), and radius, gradient and length (k, 3)."""
+
+    poses: FloatArray
+    kinds: IntArray
+    legs: FloatArray
+    shapes: FloatArray
+
+
+class _Trial(NamedTuple):
+    """A unit type that is tried: points of its solid (m, 3), rotations (r, 3, 3), share of the points that may lie in others, tolerance."""
+
+    kind: int
+    samples: FloatArray
+    rotations: FloatArray
+    most: float
+    tolerance: float
+
+
+@dataclass(frozen=True, eq=False)
+class Gap:
+    """A place where a unit is likely missing.
+
+    Attributes
+    ----------
+    place
+        (3,) metres, where its centre would be.
+    kind
+        ``unexplained`` or ``hole``; see ``schema``.
+    score
+        0 to 1.
+    area
+        Surface of no unit that speaks for it, m2.
+    unit
+        Type of unit that fits.
+    """
+
+    place: FloatArray
+    kind: Literal["unexplained", "hole"]
+    score: float
+    area: float
+    unit: int
+
+
+@dataclass(frozen=True, eq=False)
+class Armour:
+    """The units of one epoch that fill space, and how they are packed.
+
+    Attributes
+    ----------
+    poses
+        (k, 12) centre in metres of a reduced frame and rotation by rows.
+    kinds, units
+        (k,) index of each unit's type, and the types.
+    tree
+        Of the centres.
+    closest
+        Distance in metres that a missing unit keeps from its neighbours, as nearly all units of the epoch do.
+    """
+
+    poses: FloatArray
+    kinds: IntArray
+    units: tuple[UnitType, ...]
+    tree: cKDTree
+    closest: float
+
+    @property
+    def height(self) -> float:
+        """Largest height of a unit, metres."""
+        return max(unit.height for unit in self.units)
+
+
+def armour_of(poses: FloatArray, kinds: IntArray, units: Sequence[UnitType]) -> Armour | None:
+    """The packing of (k, 12) poses of the types ``kinds``; None where there are too few units to surround anything."""
+    if len(poses) < FEWEST_AROUND:
+        return None
+    centres = np.ascontiguousarray(poses[:, :3])
+    closest = max(CLOSEST_HEIGHTS * max(unit.height for unit in units), float(np.quantile(nearest_centres(centres), TIGHTEST)))
+    return Armour(poses, kinds, tuple(units), cKDTree(centres), closest)
+
+
+def surrounded(places: FloatArray, tree: cKDTree, height: float) -> NDArray[np.bool_]:
+    """(n,) whether units stand around (n, 3) places on all sides in the armour's surface, and none-too-high nor too low for it.
+
+    Parameters
+    ----------
+    places
+        Metres, frame of ``tree``.
+    tree
+        Of the units' centres.
+    height
+        H, metres.
+    """
+    centres = np.asarray(tree.data)
+    inside = np.zeros(len(places), dtype=np.bool_)
+    if not len(places):
+        return inside
+    near = tree.query_ball_point(places, SURROUNDINGS_HEIGHTS * height)
+    nearest = tree.query(places)[1]
+    patches = {k: centres[tree.query_ball_point(centres[k], SURFACE_HEIGHTS * height)] for k in np.unique(nearest)}
+    axes_of = {k: np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)[2] for k, patch in patches.items()}
+    for k, place in enumerate(places):
+        around = centres[near[k]] - place
+        if len(around) < FEWEST_AROUND:
+            continue
+        axes = axes_of[nearest[k]]
+        angles = np.sort(np.arctan2(around @ axes[1], around @ axes[0]))
+        widest = np.max(np.diff(np.append(angles, angles[0] + 2 * np.pi)))
+        # the place must lie within the layer's thickness: not on top of all its neighbours, not below them
+        across = around @ axes[2]
+        inside[k] = widest <= WIDEST_GAP and across.min() < 0 < across.max()
+    return inside
+
+
+def find_gaps(points: FloatArray, armour: Armour) -> list[Gap]:
+    """Places among the units where the points, and the room between the units, speak for a missing one.
+
+    Parameters
+    ----------
+    points
+        (n, 3) metres, frame of the armour: all points of the cloud there.
+    armour
+        Units of the epoch.
+
+    Returns
+    -------
+    gaps
+        At least a height apart, largest area first.
+    """
+    elements = unexplained(points, armour)
+    if not len(elements):
+        return []
+    places = _places(elements, armour)
+    kinds = armour.kinds[armour.tree.query(places)[1]] if len(places) else np.empty(0, dtype=np.int64)
+    found: list[Gap] = []
+    for kind in np.unique(kinds):
+        found += _judged(places[kinds == kind], int(kind), elements, armour)
+    return clearest(found, armour.height)
+
+
+def unexplained(points: FloatArray, armour: Armour) -> FloatArray:
+    """(m, 3) thinned points near the units that lie on or in none of them, metres."""
+    elements = thin(points, VOXEL_HEIGHTS * armour.height)[0]
+    if len(elements):
+        elements = elements[armour.tree.query(elements)[0] < REACH_HEIGHTS * armour.height]
+    free = np.ones(len(elements), dtype=np.bool_)
+    for kind in np.unique(armour.kinds):
+        unit = armour.units[kind]
+        distance = assign(elements, armour.poses[armour.kinds == kind], unit, EXPLAINED_HEIGHTS * unit.height)[1]
+        free &= distance > EXPLAINED_HEIGHTS * unit.height
+    return elements[free]
+
+
+def clearest(gaps: Sequence[Gap], height: float) -> list[Gap]:
+    """One for each missing unit: of gaps within a height of the one with the largest area, the one in their middle.
+
+    Where a unit explains the points, a place beside it, into which those points reach, is no hole.
+    """
+    kept: list[Gap] = []
+    left = sorted(gaps, key=lambda g: (-g.area, -g.score, *g.place))
+    while left:
+        near = [gap for gap in left if np.linalg.norm(gap.place - left[0].place) < height]
+        near = [gap for gap in near if gap.kind == "unexplained"] or near
+        middle = np.average([gap.place for gap in near], axis=0, weights=[gap.area for gap in near])
+        kept.append(min(near, key=lambda g: (float(np.linalg.norm(g.place - middle)), *g.place)))
+        left = [gap for gap in left if np.linalg.norm(gap.place - left[0].place) >= height]
+    return kept
+
+
+def needed_area(unit: UnitType) -> float:
+    """Surface, m2, below which the segmentation keeps no pose either."""
+    return FEWEST_CELLS / NUMBER_OF_CELLS * surface_area(unit)
+
+
+def _places(elements: FloatArray, armour: Armour) -> FloatArray:
+    """(n, 3) places of a lattice fixed in the frame that have room, neighbours all around and elements near."""
+    height = armour.height
+    smallest = min(armour.units, key=lambda unit: unit.height)
+    reach = smallest.reach
+    tree = cKDTree(elements)
+    # coarse cells first: most of the box around a pile is air
+    step = STEP_HEIGHTS * height
+    coarse = _lattice(elements.min(axis=0) - reach, elements.max(axis=0) + reach, COARSE * step)
+    coarse = coarse[np.isfinite(tree.query(coarse, distance_upper_bound=reach + COARSE * step)[0])]
+    fine = _lattice(np.zeros(3), np.full(3, (COARSE - 1) * step), step)
+    places = (coarse[:, None] + fine).reshape(-1, 3)
+    away = armour.tree.query(places, distance_upper_bound=REACH_HEIGHTS * height)[0]
+    places = places[(away >= armour.closest) & np.isfinite(away)]
+    if len(places):
+        wanted = needed_area(smallest) / (VOXEL_HEIGHTS * height) ** 2
+        places = places[tree.query_ball_point(places, reach, return_length=True) >= wanted]
+    return np.asarray(places[surrounded(places, armour.tree, height)])
+
+
+def _lattice(low: FloatArray, high: FloatArray, step: float) -> FloatArray:
+    """(n, 3) multiples of ``step`` from at most ``low`` to at least ``high``."""
+    lines = [np.arange(np.floor(a / step), np.ceil(b / step - 1e-9) + 1) * step for a, b in zip(low, high, strict=True)]
+    return np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 3)
+
+
+def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour) -> list[Gap]:
+    unit = armour.units[kind]
+    voxel = (VOXEL_HEIGHTS * armour.height) ** 2
+    wanted = needed_area(unit) / voxel
+    reach = unit.reach + EXPLAINED_HEIGHTS * unit.height
+    tree = cKDTree(elements)
+    tolerance = EXPLAINED_HEIGHTS * unit.height
+    grid = build_grid(elements, 0.25 * reach)
+    normals = element_normals(elements, unit.height)
+    either = np.zeros(len(elements), dtype=np.int8)
+    scene = Scene(points=elements, normals=normals, curved=either, grid=grid, unit=unit, tolerance=0.5 * tolerance, noise=0.0)
+    everything = np.ones(len(elements), dtype=np.bool_)
+    core = tree.query_ball_point(places, unit.crotch_distance, return_length=True)
+    section = np.pi * unit.crotch_distance**2
+    shapes = armour.units
+    others = _Solids(
+        poses=armour.poses,
+        kinds=armour.kinds,
+        legs=np.array([u.leg_directions for u in shapes]),
+        shapes=np.array([[u.radius, u.gradient, u.leg_length] for u in shapes]),
+    )
+    trial = _Trial(kind=kind, samples=_samples(unit), rotations=_rotations(), most=MOST_OVERLAP, tolerance=tolerance)
+    neighbours = _packed(armour.tree.query_ball_point(places, REACH_HEIGHTS * armour.height))
+    turns = _fits(places, others, neighbours, elements, _packed(tree.query_ball_point(places, reach)), trial)
+    fitting = turns >= 0
+    starts = np.column_stack([places, _rotations()[turns].reshape(-1, 9)])
+    # least squares tell a unit from rock better than one of a few orientations
+    settled = starts.copy()
+    settled[fitting] = refine(starts[fitting], scene, everything)
+    gaps: list[Gap] = []
+    for k in np.flatnonzero(fitting):
+        pose = settled[k]
+        own = elements[grid.within(elements, pose[:3], reach)]
+        distance = relate((own - pose[:3]) @ pose[3:].reshape(3, 3), unit).distance
+        on, inside = int(np.sum(np.abs(distance) <= tolerance)), int(np.sum(distance < -tolerance))
+        share = on / max(len(own), 1)
+        if on >= wanted and inside <= MOST_INSIDE * on and share >= EXPLAINS_MOST and _free(pose, kind, armour):
+            gaps.append(Gap(pose[:3], "unexplained", share, float(on * voxel), kind))
+        elif (reached := min(1.0, core[k] * voxel / section)) >= EXPLAINS_MOST:
+            gaps.append(Gap(places[k], "hole", float(reached), float(core[k] * voxel), kind))
+    return gaps
+
+
+def _free(pose: FloatArray, kind: int, armour: Armour) -> bool:
+    """Whether a unit of a type has room in its pose (12,) among the others."""
+    near = armour.tree.query_ball_point(pose[:3], REACH_HEIGHTS * armour.height)
+    shapes = armour.units
+    return all(overlap(pose, armour.poses[k], shapes[kind], shapes[armour.kinds[k]]) <= MOST_OVERLAP for k in near)
+
+
+def _packed(lists: Sequence[Sequence[int]]) -> _Lists:
+    starts = np.concatenate([[0], np.cumsum([len(items) for items in lists])]).astype(np.int64)
+    flat = np.concatenate([np.asarray(items, dtype=np.int64) for items in lists]) if len(lists) else np.empty(0, dtype=np.int64)
+    return _Lists(starts, flat)
+
+
+@lru_cache(maxsize=8)
+def _samples(unit: UnitType) -> FloatArray:
+    """About FIT_SAMPLES points spread through the solid, body frame."""
+    inside = solid_samples(unit)
+    return np.ascontiguousarray(inside[:: max(1, len(inside) // FIT_SAMPLES)])
+
+
+@lru_cache(maxsize=1)
+def _rotations() -> FloatArray:
+    return np.asarray(Rotation.random(ROTATIONS, random_state=0).as_matrix())
+
+
+@kernel(parallel=True)
+def _fits(places: Any, others: Any, around: Any, elements: Any, beside: Any, trial: Any) -> Any:
+    """(n,) for each place the number of the orientation that fits and that the elements like best, -1 where none fits.
+
+    ``around`` and ``beside`` are the units and the elements near each place.
+    """
+    poses, kinds, legs, shapes = others
+    starts, neighbours = around
+    element_starts, near = beside
+    kind, samples, rotations, most, tolerance = trial
+    out = np.full(len(places), -1, dtype=np.int64)
+    limit = int(most * len(samples))
+    # square of the distance from the centre to the rim of an end disc
+    farthest = shapes[:, 2] ** 2 + (shapes[:, 0] - shapes[:, 1] * shapes[:, 2]) ** 2
+    for i in prange(len(places)):
+        best = -1e300
+        for r in range(len(rotations)):
+            turn = rotations[r]
+            on = 0
+            inside = 0
+            for a in range(element_starts[i], element_starts[i + 1]):
+                e = elements[near[a]]
+                d0, d1, d2 = e[0] - places[i, 0], e[1] - places[i, 1], e[2] - places[i, 2]
+                x = d0 * turn[0, 0] + d1 * turn[1, 0] + d2 * turn[2, 0]
+                y = d0 * turn[0, 1] + d1 * turn[1, 1] + d2 * turn[2, 1]
+                z = d0 * turn[0, 2] + d1 * turn[1, 2] + d2 * turn[2, 2]
+                distance = height_above_cones(x, y, z, legs[kind], shapes[kind])
+                if distance < -tolerance:
+                    inside += 1
+                elif distance < tolerance:
+                    on += 1
+            # the elements are fewer than the samples of the solid, and only a better orientation need fit
+            if on - 3 * inside <= best:
+                continue
+            entered = 0
+            for s in range(len(samples)):
+                s0, s1, s2 = samples[s, 0], samples[s, 1], samples[s, 2]
+                at0 = places[i, 0] + turn[0, 0] * s0 + turn[0, 1] * s1 + turn[0, 2] * s2
+                at1 = places[i, 1] + turn[1, 0] * s0 + turn[1, 1] * s1 + turn[1, 2] * s2
+                at2 = places[i, 2] + turn[2, 0] * s0 + turn[2, 1] * s1 + turn[2, 2] * s2
+                for a in range(starts[i], starts[i + 1]):
+                    j = neighbours[a]
+                    p = poses[j]
+                    d0, d1, d2 = at0 - p[0], at1 - p[1], at2 - p[2]
+                    if d0 * d0 + d1 * d1 + d2 * d2 > farthest[kinds[j]]:
+                        continue
+                    x = d0 * p[3] + d1 * p[6] + d2 * p[9]
+                    y = d0 * p[4] + d1 * p[7] + d2 * p[10]
+                    z = d0 * p[5] + d1 * p[8] + d2 * p[11]
+                    if height_above_cones(x, y, z, legs[kinds[j]], shapes[kinds[j]]) < 0.0:
+                        entered += 1
+                        break
+                if entered > limit:
+                    break
+            if entered <= limit:
+                best = on - 3 * inside
+                out[i] = r
+    return out

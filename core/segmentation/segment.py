@@ -1,0 +1,335 @@
+"""From the points of one epoch to tetrapods: conic RANSAC, assembly, verification, aggregation (paper 2.1, METHOD 5)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..model.pose import Pose
+from ..model.unit_types import UnitType
+from .aggregation import assign, contested
+from .assembly import poses_from_pairs, poses_from_single_legs
+from .conic_ransac import find_legs
+from .pose_evidence import NUMBER_OF_CELLS, evidence
+from .pose_refinement import refine
+from .scene import COLUMNS, Evidence, Scene
+from .surface_elements import SurfaceElements, surface_elements
+from .twist import settle_twists
+from .verification import distinct, overlap, select
+
+Status = Literal["found", "uncertain"]
+
+PASSES = 4
+FEWEST_POINTS = 50
+"""A cloud of fewer points holds no unit."""
+FOUND_SCORE = 0.65
+"""Units of at least this score are stated as found; the others are kept as uncertain."""
+CLEARANCE_IN_NOISE, MOST_CLEARANCE = 2.0, 0.03
+"""Points are used where no other unit's surface comes nearer than this multiple of the noise, or than this share of the height: beyond it
+the points lost would cost more than the few that another unit's noise adds."""
+LABEL_NOISE, LABEL_TOLERANCES, MOST_LABEL_RATIO = 3.5, 2.0, 0.05
+"""Points are a unit's up to this multiple of the noise from its surface, and up to this multiple of the tolerance of its elements where
+that stays below this share of the height: roughness and offsets of strips are small, and in noisy clouds a wider window only takes in
+what is of other surfaces."""
+LISTED_EVIDENCE, LISTED_SCORE = 0.2, 0.05
+"""Poses of less evidence are chance alignments of rock, wall and water; where the evidence is good but the twist about a leg is open, the
+score may be lower still. What is below either is not reported at all."""
+SCORE_WEIGHTS = (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)
+SCORE_INTERCEPT = -4.48
+WORTH_ANOTHER_PASS = 0.3
+"""Score a pass must reach with at least one unit for the remaining points to be searched again."""
+FEW_ELEMENTS = 40
+"""Fewer supporting elements than this make a pose less likely, whatever share of those around it they are."""
+FINE_TOLERANCE = 0.02
+"""Tolerance, as a share of the height, up to which that holds: in proportion to a wider one more elements come to lie on a surface by
+chance, so that in sparse clouds of much noise rock looks like units."""
+CHANCE_SCORE = 0.2
+"""Poses of a lower score lose their points to a last look for units."""
+MOST_INTERPENETRATION = 0.01
+"""Share of its volume by which the weaker of two units may enter the stronger and still be stated as found."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class DetectedUnit:
+    """One tetrapod in one cloud.
+
+    Attributes
+    ----------
+    pose
+        Centre and rotation in the frame of the points given.
+    score
+        0..1, how sure it is that a unit lies here in this pose.
+    coverage
+        Share of the surface that holds supporting points.
+    legs_visible
+        Legs with supporting points in at least two cells.
+    status
+        ``found``, or ``uncertain`` where the evidence is weak.
+    misfit
+        Root mean square distance of the supporting surface elements, metres.
+    interpenetration
+        Largest share of its volume that lies inside a unit that was found with a higher score.
+    supported
+        Share of the surface elements seen near the predicted surface that lie on it with an agreeing normal, 0 to 1.
+    """
+
+    pose: Pose
+    score: float
+    coverage: float
+    legs_visible: int
+    status: Status
+    misfit: float
+    interpenetration: float
+    supported: float
+
+
+@dataclass(frozen=True)
+class TypicalUnit:
+    """What fitting real surfaces leaves in a cloud.
+
+    Attributes
+    ----------
+    misfit
+        Median misfit, metres.
+    agreement
+        Median share of the elements on the surface whose normal agrees.
+    fewest
+        Supporting elements below which a pose is less likely.
+    """
+
+    misfit: float
+    agreement: float
+    fewest: float = FEW_ELEMENTS
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class JudgedPoses:
+    """Poses with what speaks for and against each.
+
+    Attributes
+    ----------
+    elements
+        The thinned cloud they were judged on.
+    poses
+        (k, 12) centre and rotation by rows, reduced frame.
+    evidence
+        For each.
+    certainty
+        (k,) 0..1, how far the turn about a leg is known: see ``twist``.
+    tolerance
+        Distance within which an element supports a unit, metres.
+    typical
+        What the poses that are surely units have in common.
+    """
+
+    elements: SurfaceElements
+    poses: FloatArray
+    evidence: Evidence
+    certainty: FloatArray
+    tolerance: float
+    typical: TypicalUnit
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Segmentation:
+    """Units found in a cloud and the points of each.
+
+    Attributes
+    ----------
+    units
+        In order of decreasing evidence.
+    labels
+        (n,) for each point given, the index of its unit or -1, also where it cannot be told from a touching unit's.
+    spacing
+        Median distance of a point to its nearest neighbour, metres.
+    noise
+        Standard deviation of a point across the surface, metres.
+    tolerance
+        Distance to the surface within which a surface element supports a unit, metres.
+    """
+
+    units: tuple[DetectedUnit, ...]
+    labels: IntArray
+    spacing: float
+    noise: float
+    tolerance: float
+
+
+def segment(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int = -1) -> Segmentation:
+    """Find the tetrapods in (n, 3) points of a reduced frame, metres.
+
+    Parameters
+    ----------
+    unit
+        Nominal geometry.
+    seed
+        Of the random draws; the result depends on it, the points and the unit only, not on threads.
+    workers
+        Threads of the neighbour searches, -1 for all.
+    """
+    points = np.ascontiguousarray(points, dtype=np.float64)
+    if len(points) < FEWEST_POINTS:
+        return Segmentation(units=(), labels=np.full(len(points), -1, dtype=np.int64), spacing=0.0, noise=0.0, tolerance=0.0)
+    return _stated(points, judge_poses(points, unit, seed=seed, workers=workers), unit)
+
+
+def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int = -1) -> JudgedPoses:
+    """Every pose that :func:`segment` weighs, chance alignments included, with the evidence for it; arguments as there."""
+    elements = surface_elements(points, unit.height, workers=workers)
+    scene = Scene.of(elements, unit, max(2.5 * elements.element_noise, 0.008 * unit.height))
+    scene, poses = _searched(scene, seed)
+    poses, found, owner = _settled(elements, poses, scene, rounds=1)
+    # chance alignments claim points of units: a last look without them
+    unlikely = score(found, scene.tolerance, _typical_unit(found, scene)) < CHANCE_SCORE
+    active = ~np.isin(owner, np.flatnonzero(~unlikely))
+    candidates = _candidates(scene, active, seed + PASSES, twists=5)
+    chance = int(unlikely.sum())
+    known = distinct(np.vstack([poses[unlikely], candidates]), unit)
+    candidates = candidates[known[known >= chance] - chance]
+    chosen = select(candidates, scene, active, poses[~unlikely])
+    poses, found, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), scene, rounds=2)
+    typical = _typical_unit(found, scene)
+    sure = score(found, scene.tolerance, typical) >= FOUND_SCORE
+    poses, certainty = settle_twists(poses, found, sure, scene, owner)
+    return JudgedPoses(elements=elements, poses=poses, evidence=found, certainty=certainty, tolerance=scene.tolerance, typical=typical)
+
+
+def _searched(scene: Scene, seed: int) -> tuple[Scene, FloatArray]:
+    """Poses (k, 12) that one pass after the other accepts, and the scene with the tolerance that the strongest units tell."""
+    active = np.ones(len(scene.points), dtype=np.bool_)
+    poses = np.zeros((0, 12))
+    typical = _typical_unit(Evidence.joined([]), scene)
+    for turn in range(PASSES):
+        candidates = _candidates(scene, active, seed + turn, twists=2 if turn > 0 else 0)
+        chosen = select(candidates, scene, active, poses)
+        poses = np.vstack([poses, chosen.poses])
+        if turn == 0:
+            typical = _typical_unit(chosen.evidence, scene)
+            if len(chosen.poses) >= 3:
+                # the misfit of real surfaces, which roughness and strip offsets make larger than the noise
+                tolerance = float(np.clip(2.5 * typical.misfit, scene.tolerance, 1.3 * scene.tolerance))
+                scene = replace(scene, tolerance=tolerance)
+        elif not np.any(score(chosen.evidence, scene.tolerance, typical) > WORTH_ANOTHER_PASS):
+            break
+    return scene, poses
+
+
+def _candidates(scene: Scene, active: BoolArray, seed: int, *, twists: int) -> FloatArray:
+    """Refined poses (k, 12) from pairs of legs among the active elements, and from single legs with so many ``twists`` each, if any."""
+    legs = find_legs(scene, active, seed)
+    found = [poses_from_pairs(legs, scene.unit)]
+    if twists:
+        found.append(poses_from_single_legs(legs, scene, active, twists=twists))
+    return refine(np.vstack(found), scene, active, most=250, sweeps=8)
+
+
+def _settled(elements: SurfaceElements, poses: FloatArray, scene: Scene, *, rounds: int) -> tuple[FloatArray, Evidence, IntArray]:
+    """Poses refined on their exclusive points, the evidence for each, and the owner of every element."""
+    poses = poses.copy()
+    found = [Evidence(np.zeros((1, len(COLUMNS)))) for _ in poses]
+    for _ in range(rounds):
+        owner, _ = assign(scene.points, poses, scene.unit, 2.5 * scene.tolerance)
+        doubtful = contested(scene.points, owner, poses, scene.unit, CLEARANCE_IN_NOISE * elements.element_noise)
+        for k in range(len(poses)):
+            own = (owner == k) | (owner < 0)
+            poses[k] = refine(poses[k : k + 1], scene, own & ~doubtful, most=1500, sweeps=20)[0]
+            found[k] = evidence(poses[k : k + 1], scene, own)
+    return poses, Evidence.joined(found), owner
+
+
+def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmentation:
+    """State which poses are units, and hand the raw points out."""
+    poses, seen, tolerance, elements = judged.poses, judged.evidence, judged.tolerance, judged.elements
+    found = score(seen, tolerance, judged.typical)
+    scores = judged.certainty * found
+    shared = np.zeros(len(poses))
+    for k in range(len(poses)):
+        stronger = np.flatnonzero((scores >= FOUND_SCORE) & (scores > scores[k]))
+        for j in stronger[np.sum((poses[stronger, :3] - poses[k, :3]) ** 2, axis=1) < (2 * unit.reach) ** 2]:
+            shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
+    entered = shared > MOST_INTERPENETRATION
+    kept = np.flatnonzero((found >= LISTED_EVIDENCE) & (scores >= LISTED_SCORE))
+    units = tuple(
+        DetectedUnit(
+            pose=Pose(poses[k, :3], poses[k, 3:].reshape(3, 3)),
+            score=float(scores[k]),
+            coverage=float(seen.cells[k] / NUMBER_OF_CELLS),
+            legs_visible=int(seen.legs[k]),
+            status="found" if scores[k] >= FOUND_SCORE and not entered[k] else "uncertain",
+            misfit=float(seen.misfit[k]),
+            interpenetration=float(shared[k]),
+            supported=float(seen.support[k] / max(seen.reached[k], 1)),
+        )
+        for k in kept
+    )
+    window = max(LABEL_NOISE * elements.noise, min(LABEL_TOLERANCES * tolerance, MOST_LABEL_RATIO * unit.height))
+    labels, _ = assign(points, poses[kept], unit, window, clearance=clearance(elements.noise, unit.height))
+    return Segmentation(units=units, labels=labels, spacing=elements.spacing, noise=elements.noise, tolerance=tolerance)
+
+
+def clearance(noise: float, height: float) -> float:
+    """Distance in metres of another unit's surface within which points are left out, from the noise of a point and the unit's height."""
+    return min(CLEARANCE_IN_NOISE * noise, MOST_CLEARANCE * height)
+
+
+def _typical_unit(found: Evidence, scene: Scene) -> TypicalUnit:
+    """What the poses that are surely units have in common.
+
+    Where rock abounds most poses are none. Units are the poses whose elements' normals agree nearly as often as those of the best
+    supported poses do.
+    """
+    fewest = FEW_ELEMENTS * max(1.0, scene.tolerance / (FINE_TOLERANCE * scene.unit.height))
+    if not len(found):
+        return TypicalUnit(0.0, 1.0, fewest)
+    agreeing = found.support / np.maximum(found.close, 1.0)
+    agreement = float(np.median(agreeing[found.support >= 0.5 * found.support.max()]))
+    return TypicalUnit(float(np.median(found.misfit[agreeing >= 0.9 * agreement])), agreement, fewest)
+
+
+def score(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k,) probability, 0 to 1, that the evidence is that of a real unit in its true pose: a logistic model of its features.
+
+    The weights were fitted to simulated piles, rock and laboratory scenes (``benchmarks/accuracy/score_calibration.py``), never to a real
+    survey. What no unit of those shows speaks against a pose beyond that.
+    """
+    linear = np.array([np.dot(SCORE_WEIGHTS, row) for row in score_features(found, tolerance, typical)])
+    log_odds = SCORE_INTERCEPT + linear - _unlikeness(found, tolerance, typical)
+    return np.where(found.close < 1, 0.0, 1 / (1 + np.exp(-log_odds)))
+
+
+def _unlikeness(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k,) log-odds against a pose that is in one way unlike all units, however good the rest looks; 0 for most."""
+    close = np.maximum(found.close, 1.0)
+    # points scattered evenly over the window have a misfit of 1.15 tolerances, units hardly ever more than a half
+    scattered = 20 * np.maximum(0.0, found.misfit / tolerance - 0.5)
+    # few elements align by chance
+    few = 4 * np.maximum(0.0, 1 - found.support / typical.fewest)
+    # what is odd in few elements is telling in many
+    odd = 20 * np.maximum(0.0, 1 - 3 / np.sqrt(close) - found.support / close / max(typical.agreement, 1e-12))
+    return np.asarray(scattered + few + odd)
+
+
+def score_features(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k, 6) what the score is made of.
+
+    Log-odds that an element near the surface lies on it and that its normal agrees, both the more telling the more surface cells
+    they come from; elements inside the solid; misfit against what is typical of this cloud and against the tolerance; extent.
+    """
+    close = found.close
+    # two per cent of disagreement is always allowed for, so that the odds stay finite
+    on_surface = np.log((close + 1) / (found.reached - close + 1 + 0.02 * close))
+    agreeing = np.log((found.support + 1) / (close - found.support + 1 + 0.02 * close))
+    extent = np.log1p(found.cells)
+    return np.column_stack(
+        [
+            extent * on_surface,
+            extent * agreeing,
+            np.log1p(found.inside / (0.01 * close + 1)),
+            np.minimum(found.misfit / max(typical.misfit, 1e-12), 4.0),
+            found.misfit / tolerance,
+            extent,
+        ]
+    )

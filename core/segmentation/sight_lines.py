@@ -1,0 +1,269 @@
+"""Which patches of the units' legs the cloud should show, had the legs their whole length.
+
+Where the sensor stood need not be known. Along each of many directions the cloud is looked at as a depth map: a patch is open to a
+direction where the map holds points behind it and none before it, so that whoever looked along there looked through the patch, or at it. A
+direction along which the sensor looked shows the patches that are open to it; how likely, is estimated by expectation maximisation of
+
+    P(patch holds points) = 1 - product over directions (1 - s_d open_d)
+
+(the noisy-or of Pearl, 1988, Probabilistic Reasoning in Intelligent Systems, 4.3.2) over the shafts of the unit and of its neighbours.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.kernels import kernel
+from ..common.voxels import thin
+from ..model.tetrapod import leg_frame, turn_around
+from ..model.unit_types import UnitType
+
+SECTORS, RINGS = 8, 9
+FIRST, LAST = 0.30, 0.975
+"""Shares of a leg between which its side is divided into patches: what joints and rounded tips leave."""
+SHAFT_RINGS = 4
+"""Rings, from the joint on, that breaks leave: they tell along which directions the sensor looked."""
+DIRECTIONS = 320
+"""Over the sphere, about seven degrees apart."""
+LEAST_FACING = 0.5
+"""Cosine between a patch's normal and a direction from which it is counted as seen: grazing rays show little."""
+PIXEL_HEIGHTS = 0.05
+PIXEL_SPACINGS = 2.0
+"""Edge of the pixels of a depth map, in unit heights and in spacings of the thinned cloud, whichever is larger."""
+MARGIN_PIXELS = 2.0
+"""Depth within which points of a pixel belong to the patch itself: a surface turned by 60 degrees changes by 1.7 pixels."""
+VOXEL_HEIGHTS = 0.03
+AROUND_HEIGHTS = 3.0
+"""Distance from a unit's centre within which points hide it, or lie behind it."""
+POOLED_HEIGHTS = 2.0
+POOLED_UNITS = 4
+"""Units near enough to be looked at along the same directions."""
+ON_SURFACE_HEIGHTS = 0.02
+ON_SURFACE_NOISE = 3.5
+LEAST_SHARE = 0.25
+"""Share of the points of a typical patch that makes a patch seen: others are strays."""
+LAST_SHAFT_RING = 3
+"""Rings next to a break of which one must be seen."""
+FIRST_TIP_RING = RINGS - 2
+"""Ring from which nothing but tips is left, which may be rounded or cropped: a break begins before it."""
+MOST_EXPECTED = 0.97
+"""Probability beyond which no patch is expected: there are wet and dark places, and poses err."""
+GOES_ON, AGAINST = 0.3, -2.3
+"""Share of a sector's patches beyond a break that are seen where there is none, and the evidence of such a sector."""
+STEPS = 30
+PRIOR_MISSES = 3.0
+"""Patches that a direction did not show, before looking: most directions show nothing."""
+
+
+class LegPlaces(NamedTuple):
+    """Where points lie by the legs of a unit: (n,) leg whose direction is nearest, distance along its axis and from it (metres), sector."""
+
+    leg: IntArray
+    axial: FloatArray
+    rho: FloatArray
+    sector: IntArray
+
+
+def leg_places(body: FloatArray, unit: UnitType) -> LegPlaces:
+    """Places of (n, 3) points in the body frame."""
+    lean = body @ unit.leg_directions.T
+    leg = np.argmax(lean, axis=1)
+    axial = lean[np.arange(len(body)), leg]
+    rho = np.sqrt(np.maximum(np.sum(body**2, axis=1) - axial**2, 0.0))
+    sector = np.floor((turn_around(body, leg, unit) + math.pi) / (2 * math.pi) * SECTORS).astype(np.int64) % SECTORS
+    return LegPlaces(leg, axial, rho, sector)
+
+
+@dataclass(frozen=True, eq=False)
+class LegSights:
+    """What the cloud shows and should show of the sides of a unit's legs.
+
+    Attributes
+    ----------
+    expected
+        (4, RINGS, SECTORS) probability that a patch holds points if the leg is whole.
+    seen
+        (4, RINGS, SECTORS) whether it does.
+    """
+
+    expected: FloatArray
+    seen: BoolArray
+
+    def missing(self, leg: int) -> tuple[float, float]:
+        """Evidence that a leg ends early (natural logarithm of odds) and the share of it that is left.
+
+        The patches of a sector beyond a break lie in one another's shadow, so that all of them count as one.
+        """
+        expected, seen = np.minimum(self.expected[leg], MOST_EXPECTED), self.seen[leg]
+        best, left = 0.0, 1.0
+        for ring in range(LAST_SHAFT_RING, FIRST_TIP_RING):
+            beyond = seen[ring:].mean(axis=0)
+            gone = -np.log1p(-expected[ring:].mean(axis=0)) * np.where(beyond > 0, 0.5, 1.0)
+            # a sector tells of a break where its shaft is seen up to it, and against one where it goes on
+            upto = seen[ring - LAST_SHAFT_RING : ring].any(axis=0)
+            evidence = float(np.where(beyond > GOES_ON, AGAINST, np.where(upto, gone, 0.0)).sum())
+            if evidence > best:
+                best, left = evidence, float(ring_places()[ring])
+        return best, left
+
+
+def ring_places() -> FloatArray:
+    """(RINGS + 1,) shares of the leg at which rings end."""
+    return np.linspace(FIRST, LAST, RINGS + 1)
+
+
+class SightLines:
+    """Sights of the units of one cloud, made as they are asked for."""
+
+    def __init__(self, points: FloatArray, tree: cKDTree, poses: FloatArray, unit: UnitType, noise: float) -> None:
+        """Look at (n, 3) points of a cloud, metres, and the tree of them, with units of one type in (k, 12) poses, centres and row-major
+        rotations.
+
+        ``noise`` is the standard deviation of a point across the surface, metres.
+        """
+        self._points, self._raw, self._poses, self._unit = points, tree, poses, unit
+        self._thinned, _ = thin(points, VOXEL_HEIGHTS * unit.height)
+        self._tree = cKDTree(self._thinned)
+        spacing = 0.0
+        if len(self._thinned) > 1:
+            spacing = float(np.median(self._tree.query(self._thinned[:: max(1, len(self._thinned) // 2000)], k=2)[0][:, 1]))
+        self._pixel = max(PIXEL_HEIGHTS * unit.height, PIXEL_SPACINGS * spacing)
+        self._tolerance = max(ON_SURFACE_HEIGHTS * unit.height, ON_SURFACE_NOISE * noise)
+        self._pools = _pools(poses[:, :3], unit.height)
+        self._known: dict[int, tuple[BoolArray, BoolArray]] = {}
+
+    def of(self, number: int) -> LegSights:
+        """Sights of a unit's legs."""
+        pool = [self._look(k) for k in self._pools[number]]
+        return _expected([opened for opened, _ in pool], [seen for _, seen in pool])
+
+    def _look(self, number: int) -> tuple[BoolArray, BoolArray]:
+        if number not in self._known:
+            pose, height = self._poses[number], self._unit.height
+            rotation = pose[3:].reshape(3, 3)
+            patches, normals = _patches(self._unit)
+            around = self._thinned[self._tree.query_ball_point(pose[:3], AROUND_HEIGHTS * height)] - pose[:3]
+            opened = _open(
+                around, patches @ rotation.T, normals @ rotation.T, *_directions(), self._pixel, LEAST_FACING, MARGIN_PIXELS * self._pixel
+            )
+            near = self._points[self._raw.query_ball_point(pose[:3], self._unit.reach)] - pose[:3]
+            self._known[number] = opened, _seen(near @ rotation, self._unit, self._tolerance)
+        return self._known[number]
+
+
+def _pools(centres: FloatArray, height: float) -> list[list[int]]:
+    """Each unit, first, and those near it."""
+    distance, near = cKDTree(centres).query(centres, k=min(POOLED_UNITS, len(centres)), distance_upper_bound=POOLED_HEIGHTS * height)
+    pairs = zip(np.atleast_2d(distance.reshape(len(centres), -1)), np.atleast_2d(near.reshape(len(centres), -1)), strict=True)
+    return [[k, *(int(j) for d, j in zip(ds, js, strict=True) if math.isfinite(d) and j != k)] for k, (ds, js) in enumerate(pairs)]
+
+
+def _expected(opened: Sequence[BoolArray], seen: Sequence[BoolArray]) -> LegSights:
+    """Sights of the first of a pool of units."""
+    result = np.zeros((4, RINGS, SECTORS))
+    shape = (4, RINGS, SECTORS)
+    shaft = np.zeros(shape, dtype=np.bool_)
+    shaft[:, :SHAFT_RINGS] = True
+    others = [rows[shaft.ravel()] for rows in opened[1:]]
+    others_shown = [shown[shaft] for shown in seen[1:]]
+    for leg in range(4):
+        # whether this leg is broken is not asked of itself
+        asked = shaft.copy()
+        asked[np.arange(4) != leg] = True
+        rows = np.concatenate([opened[0][asked.ravel()], *others]).astype(np.float64)
+        shown = np.concatenate([seen[0][asked], *others_shown])
+        told = rows.any(axis=1)
+        shares = _noisy_or(rows[told], shown[told])
+        mine = opened[0].reshape(*shape, -1)[leg]
+        result[leg] = 1 - np.prod(1 - mine * shares, axis=-1)
+    return LegSights(result, seen[0])
+
+
+def _noisy_or(opened: FloatArray, shown: BoolArray) -> FloatArray:
+    """(DIRECTIONS,) probabilities that a direction shows a patch that is open to it, from (n, DIRECTIONS) and (n,)."""
+    count = opened.sum(axis=0)
+    shares = np.where(count > 0, 0.5, 0.0)
+    for _ in range(STEPS):
+        chance = 1 - np.prod(1 - opened * shares, axis=1)
+        fired = shares * (opened[shown] / np.maximum(chance[shown], 1e-9)[:, None]).sum(axis=0)
+        shares = np.minimum(fired / (count + PRIOR_MISSES), 0.98)
+    return np.asarray(shares)
+
+
+@lru_cache(maxsize=8)
+def _patches(unit: UnitType) -> tuple[FloatArray, FloatArray]:
+    """(4 RINGS SECTORS, 3) middles and outward normals of the patches, body frame."""
+    first, second = leg_frame(unit)
+    edges = ring_places()
+    axial = 0.5 * (edges[1:] + edges[:-1]) * unit.leg_length
+    turn = (np.arange(SECTORS) + 0.5) / SECTORS * 2 * math.pi - math.pi
+    radial = first[:, None, None] * np.cos(turn)[:, None] + second[:, None, None] * np.sin(turn)[:, None]
+    axis = unit.leg_directions[:, None, None, :]
+    along = axial[:, None, None]
+    middle = along * axis + (unit.radius - unit.gradient * along) * radial
+    normal = (radial + unit.gradient * axis) / math.hypot(1, unit.gradient) + np.zeros_like(middle)
+    return middle.reshape(-1, 3), normal.reshape(-1, 3)
+
+
+def _seen(body: FloatArray, unit: UnitType, tolerance: float) -> BoolArray:
+    """(4, RINGS, SECTORS) whether patches hold points of (n, 3) in the body frame."""
+    leg, axial, rho, sector = leg_places(body, unit)
+    ring = np.floor((axial / unit.leg_length - FIRST) / (LAST - FIRST) * RINGS).astype(np.int64)
+    on = (np.abs(rho - (unit.radius - unit.gradient * axial)) < tolerance) & (ring >= 0) & (ring < RINGS)
+    count = np.zeros((4, RINGS, SECTORS))
+    np.add.at(count, (leg[on], ring[on], sector[on]), 1)
+    typical = float(np.median(count[count > 0])) if count.any() else 0.0
+    return np.asarray(count > LEAST_SHARE * typical)
+
+
+@lru_cache(maxsize=1)
+def _directions() -> tuple[FloatArray, FloatArray, FloatArray]:
+    """(DIRECTIONS, 3) towards the sensor, evenly over the sphere (Fibonacci lattice), and two axes across each."""
+    k = np.arange(DIRECTIONS) + 0.5
+    height, turn = 1 - 2 * k / DIRECTIONS, math.pi * (1 + math.sqrt(5)) * k
+    flat = np.sqrt(1 - height**2)
+    towards = np.column_stack([flat * np.cos(turn), flat * np.sin(turn), height])
+    other = np.where(np.abs(height)[:, None] > 0.9, [1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
+    across = np.cross(towards, other)
+    across /= np.linalg.norm(across, axis=1)[:, None]
+    return towards, across, np.cross(towards, across)
+
+
+@kernel()
+def _open(
+    points: Any, patches: Any, normals: Any, towards: Any, across: Any, upwards: Any, pixel: float, facing: float, margin: float
+) -> Any:
+    """(m, d) whether patches are open to directions; points (n, 3) and patches (m, 3) relative to the unit's centre."""
+    reach = 0.0
+    for i in range(len(patches)):
+        reach = max(reach, np.sqrt(patches[i, 0] ** 2 + patches[i, 1] ** 2 + patches[i, 2] ** 2))
+    size = 2 * (int(reach / pixel) + 1)
+    half = 0.5 * size * pixel
+    result = np.zeros((len(patches), len(towards)), dtype=np.bool_)
+    for d in range(len(towards)):
+        depth = np.full((size, size), -np.inf)
+        for i in range(len(points)):
+            u = points[i, 0] * across[d, 0] + points[i, 1] * across[d, 1] + points[i, 2] * across[d, 2] + half
+            v = points[i, 0] * upwards[d, 0] + points[i, 1] * upwards[d, 1] + points[i, 2] * upwards[d, 2] + half
+            if u < 0 or v < 0:
+                continue
+            a, b = int(u / pixel), int(v / pixel)
+            if a < size and b < size:
+                z = points[i, 0] * towards[d, 0] + points[i, 1] * towards[d, 1] + points[i, 2] * towards[d, 2]
+                depth[a, b] = max(depth[a, b], z)
+        for i in range(len(patches)):
+            if normals[i, 0] * towards[d, 0] + normals[i, 1] * towards[d, 1] + normals[i, 2] * towards[d, 2] < facing:
+                continue
+            a = int((patches[i, 0] * across[d, 0] + patches[i, 1] * across[d, 1] + patches[i, 2] * across[d, 2] + half) / pixel)
+            b = int((patches[i, 0] * upwards[d, 0] + patches[i, 1] * upwards[d, 1] + patches[i, 2] * upwards[d, 2] + half) / pixel)
+            z = patches[i, 0] * towards[d, 0] + patches[i, 1] * towards[d, 1] + patches[i, 2] * towards[d, 2]
+            result[i, d] = depth[a, b] > -np.inf and depth[a, b] < z + margin
+    return result

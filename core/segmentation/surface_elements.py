@@ -1,0 +1,232 @@
+"""From raw points to oriented surface elements: thinning, spacing, noise, normals that point out of convex surfaces.
+
+Nothing about the instrument is assumed. A leg is convex across its axis, so the side on which a point's neighbours fall away
+from the tangent plane tells outside from inside; where the surface is flat (end discs, walls) the sign stays open.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numba import prange
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from ..common.arrays import FloatArray, IntArray
+from ..common.kernels import kernel
+from ..common.neighbourhood import build_grid, gather
+from ..common.voxels import thin
+
+THINNING_RATIO = 0.03
+"""Voxel edge as a share of the unit's height."""
+FEWEST_NEIGHBOURS = 7
+"""A normal of fewer points says nothing."""
+MOST_NEIGHBOURS = 200
+"""More than a surface thinned to ``THINNING_RATIO`` holds within ``BEND_RADIUS_RATIO``, even where two surfaces meet."""
+LEAST_RADIUS_RATIO = 0.055
+"""Radius, as a share of the height, within which a normal is taken where the noise is small."""
+BEND_RADIUS_RATIO = 0.14
+"""Radius, as a share of the height, within which the sense of curvature is read."""
+NOISE_NEIGHBOURS = 25
+"""Points of a neighbourhood from which the noise is told."""
+WIDE_IN_NOISE = 6.0
+"""Radius of such a neighbourhood in standard deviations of the noise, from which it does not choose among the points by their noise."""
+SMOOTH_PERCENTILE, SMOOTH_SHARE = 30, 0.906
+"""Percentile of the neighbourhoods' variances that is the noise's, and the share of the standard deviation that it is where all are equally
+smooth: the root of that percentile of chi-squared with 19 degrees of freedom, over these."""
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceElements:
+    """Thinned points with normals.
+
+    Attributes
+    ----------
+    points
+        (m, 3) metres, reduced frame.
+    normals
+        (m, 3) unit normals; outward where ``curved`` is 1.
+    curved
+        (m,) int8: 1 where the surface bends as a leg does, which gives the sign of the normal; -1 where it is too flat for a leg; 0 where
+        too few or too noisy neighbours leave it open.
+    source
+        (n,) for each raw point the element it was thinned into.
+    spacing
+        Median distance of a raw point to its nearest neighbour, metres.
+    noise
+        Standard deviation of a raw point across the surface, metres.
+    element_noise
+        The same for a thinned point.
+    normal_radius
+        Radius of the neighbourhoods of most normals, metres.
+    """
+
+    points: FloatArray
+    normals: FloatArray
+    curved: NDArray[np.int8]
+    source: IntArray
+    spacing: float
+    noise: float
+    element_noise: float
+    normal_radius: float
+
+
+def surface_elements(points: FloatArray, height: float, *, workers: int = -1) -> SurfaceElements:
+    """Thin (n, 3) reduced points to 0.03 H and give each remaining point an outward normal.
+
+    The neighbourhood for normals grows with the noise: it must be wide enough for a steady normal and narrow enough to stay
+    on one leg, whose radius is about 0.2 H.
+    """
+    thinned, source = thin(points, THINNING_RATIO * height)
+    rng = np.random.default_rng(0)
+    raw = cKDTree(points)
+    probe = points[np.sort(rng.choice(len(points), min(len(points), 4000), replace=False))]
+    spacing = float(np.median(raw.query(probe, k=2, workers=workers)[0][:, 1])) if len(points) > 1 else 0.0
+    tree = cKDTree(thinned)
+    element_noise, _ = _noise_of(thinned, tree, height, workers)
+    # wanted: normal error sigma / (R/2 sqrt(n)) of about 3 degrees, n = pi R^2 / area of an element
+    some = thinned[np.sort(rng.choice(len(thinned), min(len(thinned), 4000), replace=False))]
+    seventh = tree.query(some, k=min(FEWEST_NEIGHBOURS, len(thinned)), workers=workers)[0].reshape(len(some), -1)[:, -1]
+    fewest = float(np.median(seventh))
+    area = max(fewest**2 * np.pi / 6, (0.5 * THINNING_RATIO * height) ** 2)
+    wanted = np.sqrt(2 * element_noise * np.sqrt(area / np.pi) / 0.05)
+    radius = float(np.clip(wanted, LEAST_RADIUS_RATIO * height, BEND_RADIUS_RATIO * height))
+    normals, bend, bend_sd = _bends(thinned, radius, height)
+    # on a leg the surface falls away by d^2 / (4 rho) on average over directions, rho about 0.2 H: a third of that, if it also
+    # stands out of its own standard error, is taken as a sign
+    expected = 1 / (4 * 0.2 * height)
+    curved = np.zeros(len(thinned), dtype=np.int8)
+    curved[(np.abs(bend) > expected / 3) & (np.abs(bend) > 2 * bend_sd)] = 1
+    curved[np.abs(bend) + 2 * bend_sd < expected / 3] = -1
+    normals = np.where(bend[:, None] > 0, -normals, normals)
+    noise = surface_noise(points, height, tree=raw, workers=workers)
+    return SurfaceElements(thinned, normals, curved, source, spacing, noise, element_noise, max(radius, fewest))
+
+
+def element_normals(points: FloatArray, height: float) -> FloatArray:
+    """(n, 3) unit normals of thinned points (n, 3), of either sign, from neighbourhoods of ``BEND_RADIUS_RATIO``."""
+    return _bends(points, BEND_RADIUS_RATIO * height, height)[0]
+
+
+def _bends(points: FloatArray, radius: float, height: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """What :func:`_normals` finds for thinned points."""
+    reach = BEND_RADIUS_RATIO * height
+    grid = build_grid(points, 0.5 * reach)
+    every = np.ones(len(points), dtype=np.bool_)
+    normals, bend, bend_sd = _normals(points, every, radius, reach, grid)
+    return normals, bend, bend_sd
+
+
+def surface_noise(points: FloatArray, height: float, *, tree: cKDTree | None = None, workers: int = -1) -> float:
+    """Standard deviation of (n, 3) points across the surface, metres; 0 where too few lie together to tell.
+
+    The nearest neighbours of a point are those that noise put near it, so that a neighbourhood narrower than the noise makes it look
+    small. Such a cloud is thinned at random until the neighbourhoods reach beyond the noise.
+    """
+    rng = np.random.default_rng(2)
+    tree = tree if tree is not None else cKDTree(points)
+    noise, radius = _noise_of(points, tree, height, workers)
+    for _ in range(4):
+        wanted = min(WIDE_IN_NOISE * noise, BEND_RADIUS_RATIO * height)
+        if radius >= 0.9 * wanted:
+            break
+        points = points[rng.random(len(points)) < (radius / wanted) ** 2]
+        again, radius = _noise_of(points, cKDTree(points), height, workers)
+        noise = max(noise, again)
+    return noise
+
+
+def _noise_of(points: FloatArray, tree: cKDTree, height: float, workers: int) -> tuple[float, float]:
+    """Standard deviation across the surface, from quadric fits to neighbourhoods that stay on one leg, and the median radius of these."""
+    rng = np.random.default_rng(1)
+    chosen = rng.choice(len(points), min(len(points), 1500), replace=False)
+    count = min(NOISE_NEIGHBOURS, len(points))
+    if count < 12:
+        return 0.0, np.inf
+    distance, index = tree.query(points[np.sort(chosen)], k=count, workers=workers)
+    near = distance[:, -1] < 0.2 * height
+    if not near.any():
+        return 0.0, np.inf
+    local = points[index[near]]
+    local = local - local.mean(axis=1, keepdims=True)
+    _, axes = np.linalg.eigh(np.einsum("nki,nkj->nij", local, local))
+    local = np.einsum("nki,nij->nkj", local, axes)
+    w, v, u = local[..., 0], local[..., 1], local[..., 2]
+    design = np.stack([np.ones_like(u), u, v, u * u, u * v, v * v], axis=-1)
+    solution = np.linalg.pinv(design) @ w[..., None]
+    residual = w - (design @ solution)[..., 0]
+    variance = np.sum(residual**2, axis=1) / (count - 6)
+    # rough ground and edges only add: the lower half of the neighbourhoods speaks for smooth concrete
+    return float(np.sqrt(np.percentile(variance, SMOOTH_PERCENTILE))), float(np.median(distance[near, -1]))
+
+
+@kernel(parallel=True)
+def _normals(points: Any, every: Any, radius: float, bend_radius: float, grid: Any) -> Any:
+    """Normal of every point, bend of the surface away from the tangent plane, and its standard deviation."""
+    n = len(points)
+    normals = np.zeros((n, 3))
+    bend = np.zeros(n)
+    bend_sd = np.zeros(n)
+    for i in prange(n):
+        reach = bend_radius
+        near = gather(points, every, points[i], reach, grid, MOST_NEIGHBOURS)
+        # a lone point looks further, up to about a unit's half
+        while len(near) < FEWEST_NEIGHBOURS and reach < 3.0 * bend_radius:
+            reach *= 2.0
+            near = gather(points, every, points[i], reach, grid, MOST_NEIGHBOURS)
+        count = len(near)
+        local = np.empty((count, 4))
+        m = 0
+        for j in range(count):
+            q = near[j]
+            x, y, z = points[q, 0] - points[i, 0], points[q, 1] - points[i, 1], points[q, 2] - points[i, 2]
+            local[j, 0], local[j, 1], local[j, 2], local[j, 3] = x, y, z, x * x + y * y + z * z
+            if local[j, 3] <= radius * radius:
+                m += 1
+        limit = radius * radius if m >= FEWEST_NEIGHBOURS else np.inf
+        cx = cy = cz = 0.0
+        xx = xy = xz = yy = yz = zz = 0.0
+        m = 0
+        for j in range(count):
+            x, y, z = local[j, 0], local[j, 1], local[j, 2]
+            if local[j, 3] > limit:
+                continue
+            cx += x
+            cy += y
+            cz += z
+            xx += x * x
+            xy += x * y
+            xz += x * z
+            yy += y * y
+            yz += y * z
+            zz += z * z
+            m += 1
+        cx, cy, cz = cx / m, cy / m, cz / m
+        cov = np.empty((3, 3))
+        cov[0, 0], cov[1, 1], cov[2, 2] = xx - m * cx * cx, yy - m * cy * cy, zz - m * cz * cz
+        cov[0, 1] = cov[1, 0] = xy - m * cx * cy
+        cov[0, 2] = cov[2, 0] = xz - m * cx * cz
+        cov[1, 2] = cov[2, 1] = yz - m * cy * cz
+        _, vectors = np.linalg.eigh(cov)
+        nx, ny, nz = vectors[0, 0], vectors[1, 0], vectors[2, 0]
+        normals[i, 0], normals[i, 1], normals[i, 2] = nx, ny, nz
+        # convexity: slope of the height over the tangent plane against the squared distance
+        su = sh = suu = suh = shh = 0.0
+        for j in range(count):
+            h = (local[j, 0] - cx) * nx + (local[j, 1] - cy) * ny + (local[j, 2] - cz) * nz
+            u = local[j, 3]
+            su += u
+            sh += h
+            suu += u * u
+            suh += u * h
+            shh += h * h
+        spread = suu - su * su / count
+        if count >= FEWEST_NEIGHBOURS and spread > 0.0:
+            bend[i] = (suh - su * sh / count) / spread
+            rest = shh - sh * sh / count - bend[i] ** 2 * spread
+            bend_sd[i] = np.sqrt(max(rest, 0.0) / (count - 2) / spread)
+        else:
+            bend_sd[i] = np.inf
+    return normals, bend, bend_sd

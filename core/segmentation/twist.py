@@ -1,0 +1,172 @@
+"""The twist of a unit of which hardly more than one leg shows: what the points, and the room among its neighbours, leave open.
+
+A leg looks the same turned about its axis, so the points of one leg say nothing of that turn. The other three legs need room,
+however: tetrapods do not enter each other, and in a pile that leaves few twists.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..model.feature_points import body_features
+from ..model.tetrapod import relate
+from ..model.unit_types import UnitType
+from .assembly import poses_from_pairs, poses_from_single_legs
+from .conic_ransac import find_legs
+from .pose_evidence import evidence
+from .pose_refinement import refine
+from .scene import Evidence, Scene
+from .verification import overlap, without_copies, worth
+
+FEW_LEGS = 2
+"""Units with more visible legs than this have no open twist."""
+TURN = 2 * np.pi / 3
+"""A leg's axis is one of threefold symmetry: twists repeat after this angle."""
+STEPS = 30
+"""Twists looked at, four degrees apart."""
+ANGLES = np.arange(STEPS) * TURN / STEPS
+WORTH_SCALE = 0.04
+"""Share of its worth that makes a twist less likely by a factor e: a few of a hundred elements, which chance easily aligns."""
+ROOM_SD = 0.015
+"""Share of a unit's volume by which true neighbours seem to enter each other, as poses are not exact (standard deviation)."""
+OPEN_TWIST = np.radians(10)
+"""Standard deviation of the twist above which its mean is taken, not what chance aligned."""
+FEATURE_TOLERANCE = 0.15
+"""Mean error of the feature points, in heights, within which a pose counts as known."""
+SAME_AXIS = np.radians(12)
+"""Legs whose axes differ less are the same leg, seen in two poses."""
+LEAST_CERTAINTY = 0.1
+"""Certainty of a unit whose twist is open: it is there, and reported as uncertain."""
+RIVAL_MARGIN = 0.08
+"""Share of its worth by which a pose must beat every pose with other legs in its place to count as unambiguous."""
+RIVAL_OVERLAP = 0.03
+"""Share of its volume by which such a pose may enter another unit."""
+
+
+@dataclass(frozen=True, eq=False)
+class Twist:
+    """What is known of a turn about a leg's axis.
+
+    Attributes
+    ----------
+    mean, sd
+        Radians, from the pose it was asked for.
+    certainty
+        ``LEAST_CERTAINTY`` where nothing is known, 1 where all likely twists place the feature points within ``FEATURE_TOLERANCE``.
+    """
+
+    mean: float
+    sd: float
+    certainty: float
+
+
+def settle_twists(poses: FloatArray, found: Evidence, sure: BoolArray, scene: Scene, owner: IntArray) -> tuple[FloatArray, FloatArray]:
+    """Turn units of few visible legs to the middle of the twists that are left to them, and say how much that leaves open.
+
+    Parameters
+    ----------
+    poses, found
+        (k, 12) centre and rotation by rows, and the evidence for each.
+    sure
+        (k,) whether the evidence makes it a unit, whatever its twist.
+    owner
+        (m,) index of the unit that each element was assigned to, -1 for none.
+
+    Returns
+    -------
+    poses, certainty
+        (k, 12), and (k,) 0 to 1: see :class:`Twist`; 0 also where a different pose about another leg explains the points as well.
+    """
+    unit = scene.unit
+    poses = poses.copy()
+    certainty = np.ones(len(poses))
+    few = np.flatnonzero(found.legs <= FEW_LEGS)
+    standing = [int(k) for k in np.flatnonzero(sure & (found.legs > FEW_LEGS))]
+    leg = {int(k): _main_leg(poses[k], scene.points[owner == k], unit, scene.tolerance) for k in few}
+    values = {k: _worth_of_twists(poses[k], leg[k], (owner == k) | (owner < 0), scene) for k in leg}
+    # units that their own points settle stand in the way of those that need the room to be settled
+    alone = {k: twist_of(values[k], np.zeros(STEPS), unit) for k in leg}
+    for k in sorted(leg, key=lambda k: (alone[k].sd, k)):
+        near = [j for j in standing if np.sum((poses[j, :3] - poses[k, :3]) ** 2) < (2 * unit.reach) ** 2]
+        twists = _turned(poses[k], leg[k], ANGLES, unit)
+        entered = np.array([max((overlap(pose, poses[j], unit) for j in near), default=0.0) for pose in twists])
+        known = twist_of(values[k], entered, unit)
+        if known.sd > OPEN_TWIST:
+            poses[k] = _turned(poses[k], leg[k], np.array([known.mean]), unit)[0]
+        rival = _best_rival(poses[k], leg[k], poses[near], scene, owner == k, owner < 0)
+        margin = (1 - rival / max(float(values[k].max()), 1e-9)) / RIVAL_MARGIN
+        certainty[k] = min(known.certainty, float(np.clip(margin, 0, 1)))
+        if sure[k] and certainty[k] > 0.5:
+            standing.append(k)
+    return poses, certainty
+
+
+def _main_leg(pose: FloatArray, points: FloatArray, unit: UnitType, tolerance: float) -> int:
+    """The leg that holds most of (n, 3) points."""
+    relation = relate((points - pose[:3]) @ pose[3:].reshape(3, 3), unit)
+    return int(np.argmax(np.bincount(relation.leg[np.abs(relation.distance) < 2 * tolerance], minlength=4)))
+
+
+def _turned(pose: FloatArray, leg: int, angles: FloatArray, unit: UnitType) -> FloatArray:
+    """(k, 12) the pose turned about a leg's axis by (k,) angles."""
+    rotation = pose[3:].reshape(3, 3)
+    turns = Rotation.from_rotvec(angles[:, None] * (rotation @ unit.leg_directions[leg])).as_matrix() @ rotation
+    return np.column_stack([np.tile(pose[:3], (len(angles), 1)), turns.reshape(-1, 9)])
+
+
+def _worth_of_twists(pose: FloatArray, leg: int, own: BoolArray, scene: Scene) -> FloatArray:
+    """(STEPS,) worth of the pose in every twist about a leg."""
+    return worth(evidence(_turned(pose, leg, ANGLES, scene.unit), scene, own))
+
+
+def twist_of(values: FloatArray, entered: FloatArray, unit: UnitType) -> Twist:
+    """What (STEPS,) worths and shares of volume inside neighbours say of the twist, each step as likely as any before."""
+    loss = 1 - values / max(float(values.max()), 1e-9)
+    exponent = loss / WORTH_SCALE + 0.5 * (entered / ROOM_SD) ** 2
+    likely = np.exp(exponent.min() - exponent)
+    likely /= likely.sum()
+    mean = float(np.angle(np.sum(likely * np.exp(3j * ANGLES))) / 3)
+    away = np.abs((ANGLES - mean + TURN / 2) % TURN - TURN / 2)
+    within = tolerated_twist(unit)
+    # where all twists are alike a guess is already right as often as this
+    chance = 2 * within / TURN
+    known = float(likely[away <= within].sum())
+    return Twist(mean, float(np.sqrt(np.sum(likely * away**2))), float(np.clip((known - chance) / (1 - chance), LEAST_CERTAINTY, 1)))
+
+
+def tolerated_twist(unit: UnitType) -> float:
+    """Twist in radians at which the mean error of the feature points reaches ``FEATURE_TOLERANCE``."""
+    features = body_features(unit)[1:]
+    axis = unit.leg_directions[0]
+    off_axis = np.linalg.norm(features - np.outer(features @ axis, axis), axis=1)
+    return float(2 * np.arcsin(min(1.0, FEATURE_TOLERANCE * unit.height / (2 * off_axis.mean()))))
+
+
+def _best_rival(pose: FloatArray, main: int, others: FloatArray, scene: Scene, own: BoolArray, free: BoolArray) -> float:
+    """Worth of the best pose that has no leg where the main one is, explains the same elements, and does not enter another unit."""
+    unit = scene.unit
+    twists = [_turned(pose, leg, np.radians([24.0, 48.0, 72.0, 96.0]), unit) for leg in range(4) if leg != main]
+    legs = find_legs(scene, own, 0)
+    starts = [*twists, poses_from_pairs(legs, unit), poses_from_single_legs(legs, scene, own)]
+    both = own | free
+    rivals = refine(np.vstack(starts), scene, both, most=400, sweeps=8)
+    axis = pose[3:].reshape(3, 3) @ unit.leg_directions[main]
+    axes = np.einsum("nij,kj->nki", rivals[:, 3:].reshape(-1, 3, 3), unit.leg_directions)
+    away = rivals[:, :3] - pose[:3]
+    # a leg along the same axis is the same leg, wherever on it the centre came to lie
+    across = np.linalg.norm(away - (away @ axis)[:, None] * axis, axis=1)
+    different = (np.max(axes @ axis, axis=1) < np.cos(SAME_AXIS)) | (across > 0.1 * unit.height)
+    if not different.any():
+        return 0.0
+    rivals = rivals[different]
+    # most twists end in the same few poses
+    rivals = rivals[without_copies(rivals, unit.symmetries, 0.02 * unit.height, np.cos(np.radians(2)))]
+    value = worth(evidence(rivals, scene, both))
+    for k in np.argsort(-value, kind="stable"):
+        if value[k] > 0 and all(overlap(rivals[k], other, unit) <= RIVAL_OVERLAP for other in others):
+            return float(value[k])
+    return 0.0

@@ -1,0 +1,1 @@
+"""Tools of those who work on tetratrack: what is generated, packed, drawn and compared; never shipped."""

@@ -1,0 +1,103 @@
+"""Castings as random effects: elimination equals the direct solution, variances and mould of simulated cells are found again."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from tetratrack.core.adjustment.shape_effects import (
+    AXIAL_CELLS,
+    AZIMUTH_CELLS,
+    CELLS,
+    COMPONENTS,
+    LEG_CELLS,
+    CellSums,
+    cell_places,
+    eliminate,
+    prior_surface,
+    structures,
+)
+from tetratrack.core.adjustment.surface_estimation import LEAST_MOULD_UNITS, SampledUnit, estimate_surface
+
+HEIGHT = 2.0
+NOISE = 0.002
+
+
+def sighting(rng: np.random.Generator, deviations: np.ndarray, seen: np.ndarray, columns: slice, size: int) -> CellSums:
+    """Cells of one sighting of a unit whose pose is right, with random but smooth derivatives by its six unknowns."""
+    _, axial, azimuth, disc = cell_places()
+    weight = np.where(seen, 50 / NOISE**2, 0.0)
+    design = np.zeros((CELLS, size))
+    base = np.column_stack([np.cos(azimuth), np.sin(azimuth), disc, axial * np.cos(azimuth), axial * np.sin(azimuth), axial])
+    leg = np.repeat(np.arange(4), LEG_CELLS)
+    design[:, columns] = np.einsum("ck,ckl->cl", base, rng.normal(0, 1, (4, 6, 6))[leg])
+    design[:, -1] = -0.5
+    values = deviations + rng.normal(0, 1, CELLS) * NOISE / np.sqrt(50)
+    return CellSums(design * weight[:, None], weight, -weight * values, weight * (values**2 + NOISE**2), NOISE)
+
+
+def castings(seed: int, count: int, variances: np.ndarray, mould: np.ndarray) -> list[SampledUnit]:
+    """Units seen in two epochs from different sides."""
+    rng = np.random.default_rng(seed)
+    root = np.linalg.cholesky(np.tensordot(variances, structures(), axes=1) + 1e-12 * np.eye(CELLS))
+    units = []
+    for _ in range(count):
+        deviations = mould + root @ rng.normal(size=CELLS)
+        pair = [sighting(rng, deviations, rng.random(CELLS) < 0.25, slice(6 * k, 6 * k + 6), 13) for k in range(2)]
+        units.append(SampledUnit(0.0, pair, [prior_surface(HEIGHT).own_of(sums) for sums in pair]))
+    return units
+
+
+def test_elimination_equals_the_direct_solution() -> None:
+    rng = np.random.default_rng(1)
+    surface = replace(prior_surface(HEIGHT), mean=rng.normal(0, 0.003, CELLS))
+    sums = sighting(rng, rng.normal(0, 0.004, CELLS), rng.random(CELLS) < 0.2, slice(0, 6), 7)
+    cells = np.flatnonzero(sums.weight)
+    x = sums.rows[cells] / sums.weight[cells, None]
+    y = sums.rhs[cells] / sums.weight[cells] + surface.mean[cells]
+    total = surface.covariance[np.ix_(cells, cells)] + np.diag(1 / sums.weight[cells] + surface.own_of(sums)[cells])
+    expected = x.T @ np.linalg.solve(total, x), x.T @ np.linalg.solve(total, y)
+    found = eliminate(sums.rows[cells].T @ x, x.T @ sums.rhs[cells], [sums], surface, surface.covariance)
+    assert found.normal == pytest.approx(expected[0], rel=1e-6, abs=1e-6 * np.abs(expected[0]).max())
+    assert found.rhs == pytest.approx(expected[1], rel=1e-6, abs=1e-6 * np.abs(expected[1]).max())
+
+
+def test_a_cell_in_which_two_epochs_contradict_each_other_loses_weight() -> None:
+    rng = np.random.default_rng(2)
+    surface = prior_surface(HEIGHT)
+    pair = [sighting(rng, np.zeros(CELLS), np.ones(CELLS, dtype=bool), slice(6 * k, 6 * k + 6), 13) for k in range(2)]
+    spoilt = 5 * AZIMUTH_CELLS + 3
+    pair[1].rhs[spoilt] -= 0.02 * pair[1].weight[spoilt]
+    found = eliminate(np.eye(13), np.zeros(13), pair, surface, surface.covariance)
+    assert found.own[1][spoilt] > 30 * np.median(found.own[1])
+
+
+def test_variances_and_mould_are_found_again() -> None:
+    mould = np.zeros(CELLS)
+    _, axial, _, disc = cell_places()
+    mould[(axial < 0.3) & (disc == 0)] = 0.008
+    true = (np.array([3.0, 0.5, 3.0, 0.5, 2.0, 2.0, 0.5, 1.0, 0.5]) * 1e-3) ** 2
+    surface = estimate_surface(castings(3, 24, true, mould), HEIGHT, prior_surface(HEIGHT))
+    found = dict(zip(COMPONENTS, np.sqrt(surface.variances) * 1e3, strict=True))
+    assert 2.0 < found["radius"] < 4.2
+    assert 2.0 < found["axis"] < 4.2
+    assert 1.3 < found["ovality"] < 2.8
+    rings = surface.mean[: AXIAL_CELLS * AZIMUTH_CELLS].reshape(AXIAL_CELLS, -1).mean(axis=1)
+    assert rings[:3] - rings[4:8].mean() == pytest.approx(0.008, abs=0.002)
+
+
+def test_few_units_make_no_mould() -> None:
+    few = castings(4, LEAST_MOULD_UNITS - 1, prior_surface(HEIGHT).variances, np.full(CELLS, 0.01))
+    assert not estimate_surface(few, HEIGHT, prior_surface(HEIGHT)).mean.any()
+    assert estimate_surface([], HEIGHT, prior_surface(HEIGHT)).units == 0
+
+
+def test_a_stored_mould_is_held_and_its_spread_is_where_a_survey_starts() -> None:
+    true = prior_surface(HEIGHT).variances
+    learned = estimate_surface(castings(3, 24, true, np.full(CELLS, 0.004)), HEIGHT, prior_surface(HEIGHT))
+    held = estimate_surface(castings(5, 2, true, np.zeros(CELLS)), HEIGHT, learned, learned)
+    assert held.mean == pytest.approx(learned.mean)
+    # two units say little against twenty-four
+    assert np.sqrt(held.variances / learned.variances) == pytest.approx(np.ones(len(true)), abs=0.35)
+    assert held.units == 2

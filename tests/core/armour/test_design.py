@@ -1,0 +1,172 @@
+"""As-built units against plans and profiles whose deviations are known by construction, to 1 mm."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import ezdxf
+import geopandas
+import numpy as np
+import pytest
+import shapely
+from scipy.spatial.transform import Rotation
+from synthetic_result import SRS, SyntheticUnit, make_units, write_result
+from tetratrack.core.armour.as_built import read_as_built
+from tetratrack.core.armour.axis import Axis
+from tetratrack.core.armour.comparisons import Design, compare_design, write_design_comparison
+from tetratrack.core.armour.placement_plan import Tolerance
+from tetratrack.core.common.errors import InputError, OutputError
+
+MILLIMETRE = 1e-3
+SHIFT = np.array([0.120, -0.050, 0.080])
+
+
+@pytest.fixture(scope="module")
+def result(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("design") / "result.gpkg"
+    units = [SyntheticUnit(unit.unit_id, "stable", unit.centres, unit.quaternions) for unit in make_units(30, 2)]
+    write_result(path, epochs=2, units=units)
+    return path
+
+
+def _plan(result: Path, folder: Path, *, names: str = "B{}", turn: float = 12.0) -> Path:
+    """A plan that every unit is shifted and turned from, but for one without a unit."""
+    lines = ["unit_id,easting,northing,height,qx,qy,qz,qw"]
+    rng = np.random.default_rng(5)
+    for k, unit in enumerate(read_as_built(result).units):
+        place = unit.shape.centre - SHIFT
+        axis = rng.normal(size=3)
+        own = Rotation.from_matrix(unit.shape.rotation) * Rotation.from_rotvec(np.radians(turn) * axis / np.linalg.norm(axis))
+        values = ",".join(f"{value:.9f}" for value in (*place, *own.as_quat()))
+        lines.append(f"{names.format(k) if names != 'own' else unit.unit_id},{values}")
+    far = read_as_built(result).offset + np.array([500, 0, 0])
+    if names != "own":
+        lines.append("NONE," + ",".join(f"{value:.3f}" for value in far) + ",0,0,0,1")
+    path = folder / "plan.csv"
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("names", ["B{}", "own"])
+def test_a_plan_in_csv_to_a_millimetre(result: Path, tmp_path: Path, names: str) -> None:
+    design = Design(plan=str(_plan(result, tmp_path, names=names)), tolerance=Tolerance(place=0.10, turn=20.0))
+    found = compare_design(result, design)
+    assert found.plan is not None
+    assert len(found.plan.deviations) == 30
+    for row in found.plan.deviations:
+        assert [row["de"], row["dn"], row["dh"]] == pytest.approx(SHIFT, abs=MILLIMETRE)
+        assert row["d_3d"] == pytest.approx(np.linalg.norm(SHIFT), abs=MILLIMETRE)
+        assert row["rotation_deg"] == pytest.approx(12.0, abs=0.01)
+        # 15 cm with a standard deviation of 4 mm are more than 10 cm
+        assert row["verdict"] == "outside"
+    missing = [row["plan_id"] for row in found.plan.unmatched if row["kind"] == "missing"]
+    assert missing == ([] if names == "own" else ["NONE"])
+
+
+def test_tolerances_leave_open_what_the_deviations_leave_open(result: Path, tmp_path: Path) -> None:
+    plan = str(_plan(result, tmp_path))
+    length = float(np.linalg.norm(SHIFT))
+    for limit, expected in ((length - 0.02, "outside"), (length, "open"), (length + 0.02, "within")):
+        found = compare_design(result, Design(plan=plan, tolerance=Tolerance(place=limit)))
+        assert found.plan is not None
+        assert {row["verdict"] for row in found.plan.deviations} == {expected}
+    unjudged = compare_design(result, Design(plan=plan))
+    assert unjudged.plan is not None
+    assert {row["verdict"] for row in unjudged.plan.deviations} == {None}
+
+
+def test_a_plan_as_a_layer_in_another_crs(result: Path, tmp_path: Path) -> None:
+    units = read_as_built(result).units
+    points = [shapely.Point(*(unit.shape.centre - SHIFT)) for unit in units]
+    frame = geopandas.GeoDataFrame({"unit_id": [unit.unit_id for unit in units]}, geometry=points, crs=f"EPSG:{SRS}")
+    path = tmp_path / "plan.gpkg"
+    frame.to_crs("EPSG:5179").to_file(path, layer="blocks", driver="GPKG")
+    output = tmp_path / "deviations.gpkg"
+    write_design_comparison(result, output, Design(plan=f"{path}|layername=blocks"))
+    read = geopandas.read_file(output, layer="plan_deviations")
+    assert read.crs.to_epsg() == SRS
+    assert read[["de", "dn", "dh"]].to_numpy() == pytest.approx(np.tile(SHIFT, (30, 1)), abs=MILLIMETRE)
+    ends = np.array([shapely.get_coordinates(line, include_z=True) for line in read.geometry])
+    assert np.diff(ends, axis=1)[:, 0] == pytest.approx(np.tile(SHIFT, (30, 1)), abs=MILLIMETRE)
+    assert len(geopandas.read_file(output, layer="plan_unmatched")) == 0
+
+
+def _plane(result: Path) -> tuple[Axis, np.ndarray, float]:
+    """An axis along the rows of the synthetic units, and a plane of 1 in 2 across it through their middle: its normal and height there."""
+    origin = read_as_built(result).offset
+    along = np.array([np.cos(0.6), np.sin(0.6)])
+    return (
+        Axis(np.array([origin[:2] - 50 * along, origin[:2] + 50 * along])),
+        np.array([0.5 * np.sin(0.6), -0.5 * np.cos(0.6), 1.0]),
+        origin[2],
+    )
+
+
+def _height(places: np.ndarray, result: Path) -> np.ndarray:
+    _, normal, level = _plane(result)
+    offsets = places[:, :2] - read_as_built(result).offset[:2]
+    return level - offsets @ normal[:2]
+
+
+@pytest.mark.parametrize("form", ["section.gpkg", "edges.gpkg", "edges.dxf"])
+def test_a_design_profile_to_a_millimetre(result: Path, tmp_path: Path, form: str) -> None:
+    axis, normal, _ = _plane(result)
+    origin = read_as_built(result).offset
+    along, left = np.array([np.cos(0.6), np.sin(0.6)]), np.array([-np.sin(0.6), np.cos(0.6)])
+    if form.startswith("section"):
+        corners = [np.array([origin[:2] + s * left for s in (-40, 0, 40)])]
+    else:
+        corners = [np.array([origin[:2] + s * left + a * along for a in (-45, 10, 45)]) for s in (-40, 3, 40)]
+    lines = [np.column_stack([corner, _height(corner, result)]) for corner in corners]
+    path = tmp_path / form
+    if path.suffix == ".dxf":
+        drawing = ezdxf.new()
+        for line in lines:
+            drawing.modelspace().add_polyline3d(line.tolist())
+        drawing.saveas(path)
+    else:
+        geopandas.GeoDataFrame(geometry=[shapely.LineString(line) for line in lines], crs=f"EPSG:{SRS}").to_file(path, driver="GPKG")
+    found = compare_design(result, Design(profile=str(path), axis=axis.corners, profile_tolerance=0.3, reference="centre"))
+    units = {unit.unit_id: unit for unit in read_as_built(result).units}
+    assert len(found.profile) == len(units)
+    unit_normal = normal / np.linalg.norm(normal)
+    for row in found.profile:
+        shape = units[row["unit_id"]].shape
+        expected = (shape.centre[2] - _height(shape.centre[None], result)[0]) * unit_normal[2]
+        assert row["off_centre"] == pytest.approx(expected, abs=MILLIMETRE)
+        # outermost of a dense net of points on the rims of the end discs
+        rim = shape.radius - shape.gradient * shape.leg_length
+        tips = []
+        for leg in shape.legs @ shape.rotation.T:
+            across = np.linalg.svd(leg[None])[2][1:]
+            angle = np.linspace(0, 2 * np.pi, 20_000)
+            circle = np.column_stack([np.cos(angle), np.sin(angle)]) @ across * rim
+            tips.append((shape.leg_length * leg + circle) @ unit_normal)
+        assert row["off_outer"] - row["off_centre"] == pytest.approx(np.max(tips), abs=MILLIMETRE)
+        far = abs(expected) > 0.3
+        assert row["verdict"] in ({"outside", "open"} if far else {"within", "open"})
+
+
+def test_what_cannot_be_compared_is_said(result: Path, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="nothing to compare"):
+        compare_design(result, Design())
+    empty = tmp_path / "a.csv"
+    empty.write_text("unit_id,easting,northing\nB1,1,2\n", encoding="utf-8")
+    with pytest.raises(InputError, match="no column height"):
+        compare_design(result, Design(plan=str(empty)))
+    empty.write_text("unit_id,easting,northing,height\nB1,1,2,3\n", encoding="utf-8")
+    with pytest.raises(InputError, match="no place within one height"):
+        compare_design(result, Design(plan=str(empty)))
+    empty.write_text("unit_id,easting,northing,height,qx,qy,qz,qw\nB1,1,2,3,0.5,,,\n", encoding="utf-8")
+    with pytest.raises(InputError, match="half an orientation"):
+        compare_design(result, Design(plan=str(empty)))
+    flat = tmp_path / "flat.gpkg"
+    geopandas.GeoDataFrame(geometry=[shapely.LineString([(0, 0), (1, 1)])], crs=f"EPSG:{SRS}").to_file(flat, driver="GPKG")
+    with pytest.raises(InputError, match="without heights"):
+        compare_design(result, Design(profile=str(flat)))
+    broken = tmp_path / "b.dxf"
+    broken.write_text("no drawing", encoding="utf-8")
+    with pytest.raises(InputError, match="no DXF"):
+        compare_design(result, Design(profile=str(broken)))
+    with pytest.raises(OutputError, match="inputs"):
+        write_design_comparison(result, result, Design(plan=str(empty)))

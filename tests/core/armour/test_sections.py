@@ -1,0 +1,139 @@
+"""Sections, crest and settlement of blocks whose places are known, and points less blocks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import geopandas
+import laspy
+import numpy as np
+import pytest
+import shapely
+from synthetic_result import HEIGHT, SRS, SyntheticUnit, make_units, write_points, write_result
+from tetratrack.core.armour.as_built import read_as_built
+from tetratrack.core.armour.axis import Axis
+from tetratrack.core.armour.comparisons import profiles, write_profiles
+from tetratrack.core.armour.contacts import reach_of
+from tetratrack.core.armour.residual_cloud import write_residual_cloud
+from tetratrack.core.armour.sections import CutPlane, cut_body
+from tetratrack.core.common.errors import InputError
+from tetratrack.core.model.outline import reach
+
+TOP = 10.0
+SETTLED = -0.12
+AXIS = np.array([[200_000.0, 550_000.0], [200_100.0, 550_000.0]])
+
+
+@pytest.fixture(scope="module")
+def crest(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Four rows of upright units at one height, a fifth 3 m lower; between the epochs all sank but for the first twelve metres."""
+    path = tmp_path_factory.mktemp("sections") / "result.gpkg"
+    units = []
+    for row in range(5):
+        for k in range(12):
+            place = np.array([AXIS[0, 0] + 2.0 * k, AXIS[0, 1] + 1.7 * row, TOP - 0.644 * HEIGHT - (3.0 if row == 4 else 0.0)])
+            later = place + np.array([0, 0, SETTLED if k >= 6 else 0.0])
+            turn = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1))
+            units.append(SyntheticUnit(f"U{row:02d}{k:03d}", "stable", np.array([place, later]), turn))
+    write_result(path, epochs=2, units=units)
+    write_points(path, units, epochs=2)
+    return path
+
+
+def test_curves_of_a_cut_lie_on_the_body_and_in_the_plane() -> None:
+    unit = make_units(1, 1)[0]
+    shape = read_shape(unit)
+    for distance in (-1.2, -0.4, 0.0, 0.3, 0.9):
+        heading = np.array([0.8, 0.6])
+        plane = CutPlane(shape.centre[:2] + distance * heading, heading, 0.0)
+        curves = cut_body(shape, plane, 48)
+        assert curves
+        for curve in curves:
+            assert (curve[0] == curve[-1]).all()
+            assert np.abs((curve[:, :2] - plane.place) @ heading).max() < 1e-6
+            away = curve - shape.centre
+            length = np.linalg.norm(away, axis=1)
+            # chords of a leg with 48 faces lie at most 1.3 mm inside
+            assert np.abs(length - reach(away / length[:, None], shape)).max() < 0.01
+    assert cut_body(shape, CutPlane(shape.centre[:2] + np.array([reach_of(shape) + 0.01, 0.0]), np.array([1.0, 0.0]), 0.0)) == []
+
+
+def read_shape(unit: SyntheticUnit):
+    from synthetic_result import GRADIENT, LEG_LENGTH, LEGS, RADIUS
+    from tetratrack.core.model.outline import PlacedShape, rotation_of_quaternion
+
+    return PlacedShape(
+        centre=unit.centres[0],
+        rotation=rotation_of_quaternion(unit.quaternions[0]),
+        radius=RADIUS,
+        gradient=GRADIENT,
+        leg_length=LEG_LENGTH,
+        legs=LEGS,
+    )
+
+
+def test_crest_height_width_and_change_are_those_of_the_construction(crest: Path) -> None:
+    found = profiles(crest, axis=AXIS, step=6.0)
+    shape = read_as_built(crest).units[0].shape
+    top = float(reach(np.array([0.0, 0.0, 1.0]), shape))
+    by_epoch = {label: [row for row in found.crest if row["epoch"] == label] for label in found.epochs}
+    early, late = (by_epoch[label] for label in found.epochs)
+    assert [row["crest_height"] for row in early] == pytest.approx([TOP - 0.644 * HEIGHT + top] * len(early), abs=1e-3)
+    width = early[0]["crest_width"]
+    outline = max(abs(leg[1]) for leg in shape.legs @ shape.rotation.T) * shape.leg_length
+    assert 3 * 1.7 + 2 * outline < width < 3 * 1.7 + 2 * reach_of(shape)
+    assert early[0]["change"] is None
+    assert late[0]["change"] == pytest.approx(0.0, abs=1e-3)
+    assert late[-1]["change"] == pytest.approx(SETTLED, abs=1e-3)
+    assert late[0]["sd_change"] == pytest.approx(0.003 * np.sqrt(2 / late[0]["units"]), rel=0.01)
+
+
+def test_sections_hold_blocks_points_and_design_of_every_epoch(crest: Path, tmp_path: Path) -> None:
+    design = tmp_path / "design.gpkg"
+    line = shapely.LineString([(AXIS[0, 0] + 5, AXIS[0, 1] - 3, TOP), (AXIS[0, 0] + 5, AXIS[0, 1] + 6, TOP)])
+    geopandas.GeoDataFrame(geometry=[line], crs=f"EPSG:{SRS}").to_file(design, driver="GPKG")
+    output = tmp_path / "profiles.gpkg"
+    found = write_profiles(crest, output, axis=AXIS, step=6.0, profile=str(design))
+    assert found.has_points
+    rows = geopandas.read_file(output, layer="sections")
+    assert set(rows["kind"]) == {"blocks", "points", "design"}
+    assert set(rows["section"]) == {1, 2, 3, 4}
+    assert rows[rows["kind"] != "design"].groupby("section")["epoch"].nunique().eq(2).all()
+    heights = np.concatenate([shapely.get_coordinates(g, include_z=True)[:, 2] for g in rows[rows["kind"] == "design"].geometry])
+    assert heights == pytest.approx(TOP, abs=1e-6)
+    # points lie on blocks: their surface is nowhere above the highest block, but for noise
+    tops = np.concatenate([shapely.get_coordinates(g, include_z=True)[:, 2] for g in rows[rows["kind"] == "points"].geometry])
+    assert tops.max() < TOP + 0.1
+    assert len(geopandas.read_file(output, layer="crest")) == 8
+    with pytest.raises(InputError, match="distance of sections"):
+        profiles(crest, step=0.0)
+
+
+def test_points_less_blocks(crest: Path, tmp_path: Path) -> None:
+    output = tmp_path / "residuals.laz"
+    told = write_residual_cloud(crest, output)
+    cloud = laspy.read(output)
+    assert len(cloud.points) == told.points > 10_000
+    assert cloud.header.parse_crs().to_epsg() == SRS
+    near = np.abs(np.asarray(cloud.distance)) < 0.05
+    # points were drawn with 5 mm noise on the blocks
+    assert near.mean() > 0.95
+    assert np.median(np.abs(np.asarray(cloud.distance)[near])) == pytest.approx(0.6745 * 0.005, rel=0.3)
+    assert set(np.unique(cloud.unit)) <= set(range(61))
+    outside, inside = np.asarray(cloud.distance) > 0.004, np.asarray(cloud.distance) < -0.004
+    assert (cloud.red[outside] >= cloud.blue[outside]).all()
+    assert (cloud.blue[inside] >= cloud.red[inside]).all()
+    other = tmp_path / "other.gpkg"
+    write_result(other, 20, 2)
+    with pytest.raises(InputError, match="no point index"):
+        write_residual_cloud(other, tmp_path / "a.laz")
+
+
+def test_an_axis_with_a_corner() -> None:
+    axis = Axis(np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]]))
+    along, offset = axis.locate(np.array([[5.0, 2.0, 0], [12.0, 5.0, 0], [-3.0, -1.0, 0], [8.0, 14.0, 0]]))
+    assert along == pytest.approx([5.0, 15.0, -3.0, 24.0])
+    assert offset == pytest.approx([2.0, -2.0, -1.0, 2.0])
+    place, heading = axis.frame(24.0)
+    assert place == pytest.approx([10.0, 14.0])
+    assert heading == pytest.approx([0.0, 1.0])

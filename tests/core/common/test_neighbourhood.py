@@ -1,0 +1,24 @@
+"""The grid over points: cells, their order, and what lies near a place."""
+
+from __future__ import annotations
+
+import numpy as np
+from tetratrack.core.common.neighbourhood import build_grid
+
+
+def test_cells_hold_their_points_in_ascending_order() -> None:
+    points = np.random.default_rng(0).uniform(-3, 4, (3000, 3))
+    grid = build_grid(points, 0.5)
+    cell = np.minimum(np.floor((points - grid.origin) / grid.cell).astype(int), grid.size - 1)
+    flat = np.ravel_multi_index(tuple(cell.T), tuple(grid.size))
+    assert grid.order.tolist() == np.argsort(flat, kind="stable").tolist()
+    assert np.diff(grid.start).tolist() == np.bincount(flat, minlength=int(np.prod(grid.size))).tolist()
+
+
+def test_points_within_reach() -> None:
+    points = np.random.default_rng(1).uniform(0, 5, (2000, 3))
+    grid = build_grid(points, 0.4)
+    active = np.arange(len(points)) % 3 > 0
+    near = np.linalg.norm(points - [2.0, 1.0, 4.9], axis=1) <= 0.9
+    assert sorted(grid.within(points, np.array([2.0, 1.0, 4.9]), 0.9)) == np.flatnonzero(near).tolist()
+    assert sorted(grid.within(points, np.array([2.0, 1.0, 4.9]), 0.9, active)) == np.flatnonzero(near & active).tolist()

@@ -1,0 +1,70 @@
+"""Paths and patterns of survey.toml on every system alike."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from crooked_las import write_survey
+from tetratrack.core.common.errors import InputError
+from tetratrack.core.data.file_patterns import BrokenLink, existing_path, matching_files
+from tetratrack.core.data.survey import read_survey
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    for name in (
+        "tiles [v2]/a.laz",
+        "tiles [v2]/b.LAZ",
+        "tiles [v2]/c.Laz",
+        "tiles [v2]/note.txt",
+        "north/x/d.laz",
+        "odd[1].laz",
+        "odd1.laz",
+    ):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_bytes(b"")
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("pattern", "names"),
+    [
+        ("tiles [v2]/*.laz", ["a.laz", "b.LAZ", "c.Laz"]),
+        ("tiles [[]v2]/*.LAZ", ["a.laz", "b.LAZ", "c.Laz"]),
+        ("tiles [v2]\\*.laz", ["a.laz", "b.LAZ", "c.Laz"]),
+        ("odd[1].laz", ["odd[1].laz"]),
+        ("odd?.laz", ["odd1.laz"]),
+        ("**/*.laz", ["d.laz", "odd1.laz", "odd[1].laz", "a.laz", "b.LAZ", "c.Laz"]),
+        ("n*/*/d.laz", ["d.laz"]),
+        ("./tiles [v2]/../odd1.laz", ["odd1.laz"]),
+        ("tiles v2/*.laz", []),
+        ("tiles [v2]", []),
+    ],
+)
+def test_what_patterns_match(folder: Path, pattern: str, names: list[str]) -> None:
+    assert [path.name for path in matching_files(folder, pattern)] == names
+    assert [path.name for path in matching_files(Path("nowhere"), f"{folder}/{pattern}")] == names
+
+
+def test_single_paths(folder: Path) -> None:
+    assert existing_path(folder, "tiles [v2]\\a.laz").is_file()
+    assert not existing_path(folder, "tiles [v2]\\z.laz").exists()
+
+
+def test_links_to_nothing_are_named(folder: Path) -> None:
+    (folder / "lost.laz").symlink_to(folder / "gone.laz")
+    with pytest.raises(BrokenLink):
+        matching_files(folder, "*.laz")
+    with pytest.raises(InputError, match=r"lost.laz is a link to nothing. Mend the link"):
+        read_survey(write_survey(folder, "*.laz"))
+
+
+def test_brackets_and_backslashes_are_explained(folder: Path) -> None:
+    with pytest.raises(InputError, match=r"no file matches none \[v2\]/\*.laz.*write \[\[\] for a bracket itself"):
+        read_survey(write_survey(folder, "none [v2]/*.laz"))
+    with pytest.raises(InputError, match=r"line 10.*write / instead of \\, or put the path in single quotes"):
+        read_survey(write_survey(folder, "C:\\data\\*.laz"))
+    # \n is a line break to TOML, and no error
+    with pytest.raises(InputError, match=r"holds a control character. In double quotes a backslash"):
+        read_survey(write_survey(folder, "tiles\\north.laz"))

@@ -1,0 +1,184 @@
+"""Calibration of the displacement test over many synthetic epoch pairs, the stable set and the datum."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+from scipy.stats import false_discovery_control, kstest
+from tetratrack.core.deformation.congruence import Congruence, congruence_of
+from tetratrack.core.deformation.displacement import (
+    FramePart,
+    UnitPair,
+    adjusted_p_values,
+    classify,
+    grade,
+    grades_from,
+    unit_motion,
+    velocity,
+)
+from tetratrack.core.model.feature_points import feature_points
+from tetratrack.core.model.pose import Pose
+from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.registration.transformation import rigid_jacobian
+
+FloatArray = NDArray[np.float64]
+PRIOR = np.diag([0.004**2] * 3 + [0.0004**2] * 3 + [0.0])
+GRADES = grades_from({"watch": 0.05, "alert": 0.1, "partly_damaged": 0.5, "damaged": 1.0, "dislocated": 1.0})
+
+
+def common_motion(seed: int) -> FloatArray:
+    """Registration error of a pair: shift and rotation vector about the origin."""
+    return np.random.default_rng([seed, 1]).multivariate_normal(np.zeros(6), PRIOR[:6, :6])
+
+
+def pair(
+    seed: int, count: int = 60, moved: int = 10, factor: float = 1.5, floor: float = 0.0005, tail: float = np.inf, settlement: float = 0.0
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Displacements with unequal formal covariances that are too small by ``factor``, a registration error, and some moved units."""
+    rng = np.random.default_rng(seed)
+    points = rng.uniform(-8, 8, (count, 3))
+    shape = rng.normal(size=(count, 3, 3)) * 0.4 + np.eye(3)
+    covariances = shape @ np.swapaxes(shape, 1, 2) * (rng.uniform(0.0004, 0.003, count) ** 2)[:, None, None]
+    total = factor**2 * covariances + floor**2 * np.eye(3)
+    errors = np.einsum("nij,nj->ni", np.linalg.cholesky(total), rng.normal(size=(count, 3)))
+    if np.isfinite(tail):
+        errors *= np.sqrt(tail / rng.chisquare(tail, count))[:, None]
+    common = common_motion(seed)
+    displacements = errors + rigid_jacobian(points)[:, :, :6] @ common
+    displacements[:, 2] -= settlement
+    way = rng.normal(size=(moved, 3))
+    displacements[:moved] += way / np.linalg.norm(way, axis=1, keepdims=True) * rng.uniform(0.02, 0.3, moved)[:, None]
+    return displacements, covariances, points, np.arange(count) < moved
+
+
+def judged(seed: int, prior: FloatArray | None = PRIOR, **kwargs: float) -> tuple[Congruence, FloatArray, FloatArray]:
+    displacements, covariances, points, moved = pair(seed, **kwargs)  # type: ignore[arg-type]
+    return congruence_of(displacements, covariances, points, prior, np.zeros(3), 2.3), displacements, moved
+
+
+@pytest.mark.parametrize(("factor", "floor", "tail"), [(1.0, 0.0, np.inf), (1.5, 0.0005, np.inf), (3.0, 0.001, np.inf), (1.5, 0.0005, 6.0)])
+def test_p_values_of_stable_units_are_uniform(factor: float, floor: float, tail: float) -> None:
+    """Whatever the fits' covariances miss, stable units are flagged at the level, and every motion of 2 cm is found."""
+    stable, found = [], []
+    for seed in range(12):
+        result, _, moved = judged(seed, factor=factor, floor=floor, tail=tail)
+        stable += result.p_values[~moved].tolist()
+        found += (result.p_values[moved] < 0.05).tolist()
+    assert kstest(stable, "uniform").pvalue > 0.01
+    assert 0.03 <= np.mean(np.array(stable) < 0.05) <= 0.07
+    assert np.mean(found) >= 0.95
+
+
+def test_datum_stable_is_much_closer_than_control_and_keeps_moved_units_out() -> None:
+    stable, control = [], []
+    for seed in range(8):
+        result, _, moved = judged(seed)
+        points, common = pair(seed)[2], common_motion(seed)
+        truth = rigid_jacobian(points)[:, :, :6] @ common
+        stable.append(np.mean((result.rigid_motions(points, "stable").means[:, :3] - truth) ** 2))
+        control.append(np.mean(truth**2))
+        assert not result.stable[moved].any()
+        assert result.stable[~moved].mean() > 0.9
+    assert np.sqrt(np.mean(stable)) < 0.2 * np.sqrt(np.mean(control))
+
+
+def test_global_test_rejects_moved_units_and_accepts_a_quiet_pile() -> None:
+    assert judged(1)[0].global_p_value < 1e-6
+    assert judged(2, moved=0, count=60)[0].global_p_value > 0.001
+
+
+def test_settlement_of_everything_shows_against_control_alone() -> None:
+    """A common motion of 5 cm is invisible in datum stable, and found in datum control and by the test of the common motion."""
+    result, _, moved = judged(3, settlement=0.05)
+    assert result.common_p_value < 1e-6
+    assert np.mean(result.control_p_values[~moved] < 0.05) == 1
+    assert np.mean(result.p_values[~moved] < 0.05) < 0.15
+    quiet = [judged(seed)[0].common_p_value for seed in range(20, 40)]
+    assert np.mean(np.array(quiet) < 0.05) <= 0.25
+
+
+def test_without_control_the_stable_units_alone_make_the_datum() -> None:
+    result, _displacements, moved = judged(4, prior=None)
+    assert np.isnan(result.common_p_value)
+    assert (result.p_values[moved] < 0.05).all()
+    assert np.mean(result.p_values[~moved] < 0.05) < 0.15
+    assert not result.prior.any()
+
+
+def test_four_units_of_which_three_moved() -> None:
+    """Like the paper's laboratory test: control tells the one that stayed."""
+    result, _, moved = judged(5, count=4, moved=3)
+    assert (result.p_values[moved] < 0.05).all()
+    assert result.stable.tolist() == [False, False, False, True]
+
+
+def test_no_units_and_one_unit() -> None:
+    none = congruence_of(np.zeros((0, 3)), np.zeros((0, 3, 3)), np.zeros((0, 3)), PRIOR, np.zeros(3), 2.3)
+    assert none.p_values.shape == (0,)
+    one = congruence_of(np.full((1, 3), 0.002), np.eye(3)[None] * 1e-6, np.zeros((1, 3)), PRIOR, np.zeros(3), 2.3)
+    assert one.p_values[0] > 0.05
+    far = congruence_of(np.full((1, 3), 0.2), np.eye(3)[None] * 1e-6, np.zeros((1, 3)), PRIOR, np.zeros(3), 2.3)
+    assert far.p_values[0] < 0.01
+
+
+def test_a_unit_carried_by_metres_bears_the_turn_of_its_frame() -> None:
+    """Datum stable takes away what turns all units alike, at the places where they were: not the turn of the way of one of them."""
+    unit, way = UnitType.tetrapod(2.3), np.array([4.0, -2.0, -1.5])
+    here = Pose(np.array([1.0, 2.0, 3.0]), np.eye(3))
+    congruence, _, _ = judged(6, moved=0, factor=1.0, floor=0.0)
+    null = congruence.null
+    frame = np.diag([0.0] * 3 + [0.0008**2] * 3 + [0.0])
+    joint = np.eye(12) * 0.0003**2
+    squares = []
+    for turn in np.random.default_rng(7).normal(0, 0.0008, (400, 3)):
+        there = here.shifted(Rotation.from_rotvec(turn).apply(way))
+        features = [feature_points(pose, unit) for pose in (here, there)]
+        pair = UnitPair(before=features[0], after=features[1], joint=joint, turn=np.zeros(3), turn_covariance=np.eye(3))
+        part = FramePart(motion=np.zeros(6), covariance=np.zeros((6, 6)), degrees=null.tail, carried=frame)
+        motion = unit_motion(pair, null, null, part)
+        error = motion.vectors[0] - way
+        squares.append(error @ np.linalg.solve(motion.covariances[0], error))
+    assert np.mean(squares) < 3.3
+    assert np.mean(squares) > 1.5
+
+
+def test_adjusted_p_values_are_those_of_benjamini_and_hochberg() -> None:
+    p = np.random.default_rng(0).uniform(size=50) ** 3
+    assert np.allclose(adjusted_p_values(p), false_discovery_control(p))
+    assert adjusted_p_values([]).shape == (0,)
+
+
+def test_classes() -> None:
+    assert classify(0.01, 0.5, True, False) == "moved"
+    assert classify(0.2, 0.01, True, False) == "rotated"
+    assert classify(0.2, 0.2, True, False) == "stable"
+    assert classify(0.01, 0.01, False, False) == "uncertain"
+    assert classify(0.01, 0.01, True, True) == "relocated"
+
+
+def test_grades_in_metres_heights_and_nominal_diameters() -> None:
+    unit = UnitType.tetrapod(2.3)
+    diameter = unit.nominal_diameter
+    assert grade(0.5, False, unit, GRADES) == "below detection limit"
+    assert grade(0.01, True, unit, GRADES) == "significant"
+    assert grade(0.06, True, unit, GRADES) == "watch"
+    assert grade(0.2, True, unit, GRADES) == "alert"
+    assert grade(0.6 * diameter, True, unit, GRADES) == "partly damaged"
+    assert grade(1.1 * diameter, True, unit, GRADES) == "damaged"
+    assert grade(2.4, True, unit, GRADES) == "dislocated"
+
+
+def test_velocity_of_a_creeping_unit() -> None:
+    rng = np.random.default_rng(0)
+    years = np.array([0.0, 0.5, 1.0, 2.0, 3.0])
+    true = np.array([0.01, -0.02, -0.005])
+    scores = []
+    for _ in range(60):
+        positions = years[:, None] * true + rng.normal(0, 0.002, (5, 3))
+        v = velocity(0, years, positions, np.tile(np.eye(3) * 0.002**2, (5, 1, 1)), 200.0)
+        scores += ((v.vector - true) / v.sd).tolist()
+    assert kstest(scores, "norm").pvalue > 0.01
+    bent = np.array([0, 0, 0, 0.05, 0.05])[:, None] * np.ones(3)
+    assert velocity(0, years, bent, np.tile(np.eye(3) * 0.002**2, (5, 1, 1)), 200.0).misfit_p_value < 1e-6

@@ -1,0 +1,248 @@
+"""Blocks and jobs: independent of tiling, finished work kept, workers that die replaced."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+from tetratrack.core.adjustment.adjustment_records import AdjustmentOptions
+from tetratrack.core.adjustment.gauss_helmert import adjust
+from tetratrack.core.common.errors import Cancelled, InputError, NoSolutionError, OutputError, TetratrackError
+from tetratrack.core.data.tiles import TileInfo, Window
+from tetratrack.core.model.pose import Pose
+from tetratrack.core.model.tetrapod import sample_surface
+from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.pipeline.array_files import load_arrays, loaded_arrays, save_arrays
+from tetratrack.core.pipeline.block_jobs import FitJob, adjusted_nearby
+from tetratrack.core.pipeline.blocks import plan_blocks
+from tetratrack.core.pipeline.epoch_units import owners
+from tetratrack.core.pipeline.job_runner import JobRunner, job_key
+
+
+def _tile(name: str, low: tuple[float, float], high: tuple[float, float], points: int = 1000) -> TileInfo:
+    return TileInfo(
+        path=Path(name),
+        points=points,
+        low=(*low, 0.0),
+        high=(*high, 5.0),
+        version="1.4",
+        point_format=6,
+        compressed=True,
+        copc=False,
+        crs="",
+        has_time=True,
+        size=1,
+        note="",
+    )
+
+
+@dataclass(frozen=True)
+class Square:
+    """Squares a number; ``trouble`` names what goes wrong the first time."""
+
+    number: float
+    folder: str = ""
+    trouble: str = ""
+
+    @property
+    def name(self) -> str:
+        return f"square-{self.number:g}.npz"
+
+    def run(self) -> dict:
+        mark = Path(self.folder) / f"tried-{self.number:g}"
+        first = not mark.exists()
+        if self.folder:
+            mark.touch()
+        if self.trouble == "refuse":
+            raise InputError("is wrong", source="tile.laz", where="line 1", remedy="Mend it.")
+        if self.trouble == "die" and first:
+            os.kill(os.getpid(), signal.SIGKILL)
+        if self.trouble == "always die":
+            os.kill(os.getpid(), signal.SIGKILL)
+        return {"square": np.array(self.number**2)}
+
+
+def _squares(paths: list[Path]) -> list[float]:
+    return [float(load_arrays(path)["square"]) for path in paths]
+
+
+def test_blocks_cover_every_point_once_whatever_the_tiling() -> None:
+    whole = [_tile("whole", (0, 0), (200, 30), 4000)]
+    halves = [_tile("left", (0, 0), (99.9, 30), 2500), _tile("right", (100, 2), (200, 30), 1500)]
+    cores = [{b.core for b in plan_blocks("a", tiles, 2.0)} for tiles in (whole, halves)]
+    assert cores[0] == cores[1]
+    assert len(cores[0]) == 4
+    rng = np.random.default_rng(0)
+    points = np.vstack([rng.uniform((0, 0), (200, 30), (500, 2)), [[0, 0], [200, 30], [50, 30]]])
+    inside = sum(core.contains(points).astype(int) for core in cores[0])
+    assert (inside == 1).all()
+    for block in plan_blocks("a", halves, 2.0):
+        names = {tile.path.name for tile in block.tiles}
+        assert ("left" in names) == (block.core.west - 5 < 99.9)
+
+
+def test_blocks_are_smaller_where_points_are_many() -> None:
+    few = plan_blocks("a", [_tile("t", (0, 0), (40, 40), 10_000)], 2.0)
+    many = plan_blocks("a", [_tile("t", (0, 0), (40, 40), 30_000_000)], 2.0)
+    assert len(few) == 1
+    assert len(many) >= 10
+
+
+def test_keys_depend_on_everything_but_order() -> None:
+    key = job_key("a", {"x": 1}, ["s1", "s2"])
+    assert key == job_key("a", {"x": 1}, ["s2", "s1"])
+    assert len({key, job_key("b", {"x": 1}, ["s1", "s2"]), job_key("a", {"x": 2}, ["s1", "s2"]), job_key("a", {"x": 1}, ["s1"])}) == 4
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_results_come_in_the_order_of_the_jobs_and_are_kept(tmp_path: Path, workers: int) -> None:
+    jobs = [Square(n, str(tmp_path)) for n in (3, 1, 2)]
+    seen: list[tuple[int, int]] = []
+    with JobRunner(tmp_path, workers) as runner:
+        assert _squares(runner.run(jobs, lambda done, total: seen.append((done, total)))) == [9, 1, 4]
+        assert seen == [(0, 3), (1, 3), (2, 3), (3, 3)]
+        for mark in tmp_path.glob("tried-*"):
+            mark.unlink()
+        (tmp_path / "square-2.npz").write_bytes(b"power was lost here")
+        assert _squares(runner.run(jobs)) == [9, 1, 4]
+    assert [p.name for p in tmp_path.glob("tried-*")] == ["tried-2"]
+
+
+def test_processes_serve_all_calls_and_end_with_the_runner(tmp_path: Path) -> None:
+    with JobRunner(tmp_path, 2) as runner:
+        runner.run([Square(1), Square(2)])
+        first = {child.pid for child in multiprocessing.active_children()}
+        runner.run([Square(3), Square(4), Square(5)])
+        assert {child.pid for child in multiprocessing.active_children()} == first
+    assert not first & {child.pid for child in multiprocessing.active_children()}
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_an_error_of_a_job_arrives_whole(tmp_path: Path, workers: int) -> None:
+    with pytest.raises(InputError, match=r"tile.laz, line 1: is wrong. Mend it.") as caught, JobRunner(tmp_path, workers) as runner:
+        runner.run([Square(1), Square(2, trouble="refuse")])
+    assert caught.value.where == "line 1"
+
+
+def test_a_worker_that_is_killed_is_replaced(tmp_path: Path) -> None:
+    jobs = [Square(1, str(tmp_path)), Square(2, str(tmp_path), "die"), Square(3, str(tmp_path))]
+    with JobRunner(tmp_path, 2) as runner:
+        assert _squares(runner.run(jobs)) == [1, 4, 9]
+
+
+def test_a_job_that_always_kills_its_worker_ends_the_run(tmp_path: Path) -> None:
+    with pytest.raises(TetratrackError, match="ended from outside 3 times"), JobRunner(tmp_path, 2) as runner:
+        runner.run([Square(1), Square(2, trouble="always die")])
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_cancel(tmp_path: Path, workers: int) -> None:
+    with pytest.raises(Cancelled), JobRunner(tmp_path, workers, is_cancelled=lambda: True) as runner:
+        runner.run([Square(n) for n in range(5)])
+
+
+def test_environment_of_workers_is_put_back(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OMP_NUM_THREADS", "7")
+    monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
+    with JobRunner(tmp_path, 2) as runner:
+        runner.run([Square(1), Square(2)])
+    assert os.environ["OMP_NUM_THREADS"] == "7"
+    assert "MKL_NUM_THREADS" not in os.environ
+
+
+def test_arrays_that_cannot_be_saved(tmp_path: Path) -> None:
+    with pytest.raises(OutputError, match="cannot be written"):
+        save_arrays(tmp_path / "none" / "a.npz", {"x": np.zeros(3)})
+    assert load_arrays(tmp_path / "none.npz") is None
+
+
+def test_arrays_of_points_are_not_read_where_only_the_table_is_wanted(tmp_path: Path) -> None:
+    path = tmp_path / "a.npz"
+    save_arrays(path, {"poses": np.arange(3.0), "points": np.full((1000, 3), 7.0)})
+    content = bytearray(path.read_bytes())
+    content[content.index(np.full(1, 7.0).tobytes()) + 100] ^= 255
+    path.write_bytes(content)
+    assert load_arrays(path) is None
+    table = loaded_arrays(path, without=["points"])
+    assert list(table) == ["poses"]
+    assert table["poses"].tolist() == [0, 1, 2]
+    with pytest.raises(InputError, match="vanished"):
+        loaded_arrays(tmp_path / "none.npz")
+
+
+def _found(places: list[tuple[float, float]], scores: list[float]) -> dict:
+    poses = np.zeros((len(places), 12))
+    poses[:, :2] = np.reshape(places, (-1, 2))
+    return {"poses": poses, "origin": np.array([1000.0, 2000.0, 0.0]), "type": np.zeros(len(places), int), "score": np.array(scores)}
+
+
+def test_a_unit_on_the_edge_of_two_blocks_is_kept_once() -> None:
+    left = (Window(1000, 2000, 1010, 2010), _found([(5, 5), (9.9, 5), (10.2, 8)], [0.9, 0.8, 0.7]))
+    right = (Window(1010, 2000, 1020, 2010), _found([(10.1, 5.1), (15, 5)], [0.95, 0.9]))
+    # 9.9 and 10.1 are one unit, each in its own block: the better one stays; the unit at 10.2 was found by the left block alone
+    kept = owners([left, right], [2.0])
+    assert [k.tolist() for k in kept] == [[0, 2], [0, 1]]
+    assert [k.tolist() for k in owners([], [2.0])] == []
+    empty = (Window(0, 0, 1, 1), _found([], []))
+    assert [k.tolist() for k in owners([empty], [2.0])] == [[]]
+
+
+def test_an_adjustment_that_leaves_the_unit_is_made_anew_with_its_end_disc():
+    unit = UnitType.tetrapod(2.7)
+    rng = np.random.default_rng(7)
+    pose = Pose(np.zeros(3), Rotation.random(random_state=7).as_matrix())
+    points, normals, leg = sample_surface(unit, 20000, rng)
+    # the upper side of the end of one leg
+    seen = (leg == 0) & (points @ unit.leg_directions[0] > 0.42 * unit.height) & ((normals @ pose.rotation.T)[:, 2] > 0.2)
+    cloud = pose.to_frame(points[seen][:200]) + rng.normal(0, 0.015, (200, 3))
+    options = AdjustmentOptions(radius_sd=0.01 * unit.radius, gradient_sd=0.01)
+    with pytest.raises(NoSolutionError, match="too few points"):
+        adjust(cloud, unit, pose, options=options)
+    result = adjusted_nearby(cloud, unit, pose, options, None)
+    assert np.linalg.norm(result.pose.centre) < 0.1 * unit.height
+    elsewhere = Pose(np.array([0.0, 0.0, 4.0]), pose.rotation)
+    with pytest.raises(NoSolutionError, match="near"):
+        adjusted_nearby(cloud, unit, elsewhere, options, None)
+
+
+def test_points_that_chance_puts_on_hidden_legs_do_not_settle_a_twist(tmp_path: Path) -> None:
+    unit = UnitType.tetrapod(2.3)
+    rng = np.random.default_rng(3)
+    pose = Pose(np.array([1.0, 2.0, 0.5]), Rotation.random(random_state=3).as_matrix())
+    points, _, leg = sample_surface(unit, 8000, rng)
+    axial = points @ unit.leg_directions[1]
+    shown = (leg == 1) & (axial > 0.25 * unit.height)
+    stray = np.flatnonzero(leg == 2)[:5]
+    cloud = pose.to_frame(points[np.append(np.flatnonzero(shown), stray)])
+    cloud += rng.normal(0, 0.004, cloud.shape)
+    one = {name: np.ones(1) for name in ("score", "coverage", "misfit", "supported")}
+    one |= {"leg_states": np.full((1, 4), "unseen"), "leg_missing": np.zeros((1, 4)), "leg_broken": np.zeros((1, 4))}
+    whole = {"type": np.zeros(1, dtype=np.int64), "legs_visible": np.ones(1, dtype=np.int64), "status": np.array(["found"], dtype="U9")}
+    save_arrays(
+        tmp_path / "segment.npz",
+        one
+        | whole
+        | {
+            "poses": np.concatenate([pose.centre, pose.rotation.ravel()])[None],
+            "origin": np.zeros(3),
+            "points": cloud,
+            "sources": np.where(cloud[:, 0] < np.median(cloud[:, 0]), 7, 3).astype(np.uint16),
+            "offsets": np.array([0, len(cloud)]),
+        },
+    )
+    fitted = FitJob(tmp_path / "segment.npz", (0,), (unit,), ((0.0, 0.0),)).run()
+    kept = pose.to_body(fitted["points"])
+    assert fitted["legs_visible"].tolist() == [1]
+    assert not fitted["determined"][0]
+    assert 0.7 * shown.sum() < len(kept) <= shown.sum()
+    assert (np.argmax(kept @ unit.leg_directions.T, axis=1) == 1).all()
+    assert fitted["offsets"].tolist() == [0, len(kept)]
+    assert len(fitted["sources"]) == len(kept)
+    assert fitted["source_ids"].tolist() == [3, 7]
+    assert fitted["source_offsets"].tolist() == [0, 2]

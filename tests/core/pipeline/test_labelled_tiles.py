@@ -1,0 +1,75 @@
+"""Tiles written back with the unit of each point."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import sqlite3
+from contextlib import closing
+from dataclasses import asdict
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+from tetratrack.core.common.errors import InputError
+from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.data.survey import read_survey
+from tetratrack.core.pipeline.labelled_tiles import write_labelled_tiles
+from tetratrack.core.results.unit_rows import read_epochs
+
+
+def test_labels_follow_the_truth_and_nothing_else_changes(tiny: Path, result: Path, tmp_path: Path):
+    survey = read_survey(tiny / "survey.toml")
+    outcome = write_labelled_tiles(survey, result, tmp_path / "labelled", Feedback())
+    written = sorted((tmp_path / "labelled" / "2024-04-09").glob("*.laz"))
+    assert [p.name for p in written] == [p.name for p in sorted((tiny / "tiles" / "2024-04-09").glob("*.laz"))]
+    truth = np.load(tiny / "truth" / "labels_2024-04-09.npz")
+    agreeing, mine = 0, 0
+    for path in written:
+        before, after = laspy.read(tiny / "tiles" / "2024-04-09" / path.name), laspy.read(path)
+        for dimension in before.point_format.dimension_names:
+            np.testing.assert_array_equal(before[dimension], after[dimension], err_msg=dimension)
+        np.testing.assert_array_equal(before.header.offsets, after.header.offsets)
+        assert after.header.parse_crs() == before.header.parse_crs()
+        number = np.asarray(after.unit_id)
+        of_unit = truth[path.stem]
+        # points of one labelled unit come from one true unit
+        for unit in np.unique(number[number > 0]):
+            _, count = np.unique(of_unit[number == unit], return_counts=True)
+            agreeing += int(count.max())
+            mine += int(count.sum())
+    assert mine > 3000
+    assert agreeing / mine > 0.97
+    assert outcome["tiles"] == 4
+
+    labelled = laspy.read(written[0])
+    assert labelled.header.point_count == laspy.read(tiny / "tiles" / "2024-04-09" / written[0].name).header.point_count
+
+
+def test_units_of_the_second_type_have_its_size(tiny: Path, result: Path, tmp_path: Path):
+    survey = read_survey(tiny / "survey.toml")
+    kind = asdict(survey.unit)
+    assert all(epoch.settings["unit_types"] == [kind] for epoch in read_epochs(result))
+    twofold = tmp_path / "result.gpkg"
+    shutil.copy(result, twofold)
+    first = kind | {"name": "tetrapod 1 t", "height": 0.5 * kind["height"], "leg_length": 0.5 * kind["leg_length"]}
+    with closing(sqlite3.connect(twofold)) as connection, connection:
+        settings = json.dumps({"leg_length": first["leg_length"], "unit_types": [first, kind]})
+        connection.execute("UPDATE epochs SET settings = ?", (settings,))
+    counts = [write_labelled_tiles(survey, path, tmp_path / path.parent.name, Feedback())["points"] for path in (result, twofold)]
+    assert counts[0] == counts[1]
+
+
+def test_tiles_of_another_survey_are_refused(tiny: Path, result: Path, tmp_path: Path):
+    text = (tiny / "survey.toml").read_text().replace('label = "2024-04-09"', 'label = "2023-01-01"')
+    text = (
+        text.replace('"tiles/', f'"{tiny}/tiles/')
+        .replace('= "control_', f'= "{tiny}/control_')
+        .replace('= "targets_', f'= "{tiny}/targets_')
+    )
+    other = tmp_path / "other.toml"
+    other.write_text(text.replace('= "check_', f'= "{tiny}/check_'))
+    with pytest.raises(InputError, match="has no epoch 2023-01-01"):
+        write_labelled_tiles(read_survey(other), result, tmp_path / "labelled", Feedback())
+    assert not (tmp_path / "labelled").exists()

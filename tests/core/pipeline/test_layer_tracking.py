@@ -1,0 +1,154 @@
+"""Step ``track`` on layers alone: frames that bend, targets and clouds that are not aligned are dealt with as in a whole run."""
+
+from __future__ import annotations
+
+import json
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from bent_coast import BentCoast, bent_coast
+from scipy.spatial.transform import Rotation
+from tetratrack.core.common.errors import InputError
+from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.deformation.epoch_frames import TargetShifts
+from tetratrack.core.deformation.fitted_unit import FittedUnit
+from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
+from tetratrack.core.deformation.tracking import track
+from tetratrack.core.deformation.unit_clouds import UnitCloud
+from tetratrack.core.model.pose import Pose
+from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.pipeline.layer_tracking import run_track
+from tetratrack.core.registration.transformation import Transformation
+from tetratrack.core.results.geopackage_reader import read_layer_rows
+from tetratrack.core.results.geopackage_writer import upper_triangle, write_result
+
+UNIT = UnitType.tetrapod(2.3)
+ORIGIN = np.array([500_000.0, 3_500_000.0, 0.0])
+TIMES = (datetime(2024, 4, 9, tzinfo=UTC), datetime(2024, 10, 9, tzinfo=UTC))
+TURNS = Rotation.random(2000, random_state=np.random.default_rng(8)).as_matrix()
+
+
+@pytest.fixture(scope="module")
+def coast() -> BentCoast:
+    return bent_coast(3, length=70.0, density=2.5, station=24.0, longest=120.0)
+
+
+def poses(coast: BentCoast, epoch: int) -> list[Pose]:
+    shifts = coast.displacements if epoch else np.zeros_like(coast.places)
+    return [Pose(place + shift, turn) for place, shift, turn in zip(coast.places, shifts, TURNS, strict=False)]
+
+
+def covariance(coast: BentCoast, k: int) -> np.ndarray:
+    total = np.zeros((8, 8))
+    total[:3, :3], total[3:6, 3:6] = coast.covariances[k] / 2, np.eye(3) * 0.002**2
+    return total
+
+
+def transformation() -> Transformation:
+    return Transformation.identity(ORIGIN)
+
+
+def unit_rows(coast: BentCoast, motion: Transformation | None = None) -> list[dict[str, Any]]:
+    rows = []
+    for epoch, time in enumerate(TIMES):
+        for k, pose in enumerate(poses(coast, epoch)):
+            placed = pose.shifted(ORIGIN)
+            placed = placed if motion is None or not epoch else motion.apply_pose(placed)
+            qx, qy, qz, qw = (float(v) for v in placed.quaternion())
+            rows.append(
+                {"unit_id": f"U{k}", "epoch": str(epoch), "epoch_time": time, "unit_type": "tetrapod", "height": UNIT.height,
+                 "r0": UNIT.radius, "gradient": UNIT.gradient, "qx": qx, "qy": qy, "qz": qz, "qw": qw, "status": "found", "leg1": "broken",
+                 "leg_missing": 0.3,
+                 "leg_probability": 0.9, "score": 0.95, "n_points": 1500, "covariance": upper_triangle(covariance(coast, k)),
+                 "geometry": placed.centre}
+            )  # fmt: skip
+    return rows
+
+
+def registered(coast: BentCoast, path: Path) -> Path:
+    """What the step ``register`` writes."""
+    targets, epochs = [], []
+    for epoch, time in enumerate(TIMES):
+        record = json.dumps(transformation().as_record())
+        settings = json.dumps({"redundancy": 3 * len(coast.targets) - 6})
+        epochs.append({"label": str(epoch), "time": time, "points": 0, "transformation": record, "settings": settings})
+        for k, (place, residual) in enumerate(zip(coast.targets, coast.residuals[epoch], strict=True)):
+            targets.append(
+                {"point_id": f"T{k}", "epoch": str(epoch), "ve": residual[0], "vn": residual[1], "vh": residual[2], "w_max": 1.0,
+                 "used": True, "outlier": False, "sd_e": coast.target_sd, "sd_n": coast.target_sd, "sd_h": coast.target_sd,
+                 "geometry": place + ORIGIN}
+            )  # fmt: skip
+    write_result(path, "EPSG:32650", {"control_residuals": targets, "epochs": epochs})
+    return path
+
+
+def tracked(coast: BentCoast) -> list[TrackedEpoch]:
+    names = tuple(f"T{k}" for k in range(len(coast.targets)))
+    # the step's own reduction point, to which nodes of the field are bound
+    base = np.round(np.mean([pose.centre for epoch in range(2) for pose in poses(coast, epoch)], axis=0))
+    found = []
+    for epoch, time in enumerate(TIMES):
+        units = tuple(
+            FittedUnit(
+                pose=pose.shifted(-base), shape=UNIT, kind=0, certain=True, discs=np.zeros(4, dtype=bool), cloud=UnitCloud.none(),
+                covariance=covariance(coast, k)[:6, :6],
+            )
+            for k, pose in enumerate(poses(coast, epoch))
+        )  # fmt: skip
+        variances = np.full(coast.targets.shape, coast.target_sd**2)
+        targets = TargetShifts(ids=names, positions=coast.targets - base, residuals=coast.residuals[epoch], variances=variances)
+        placed = Transformation.identity(np.zeros(3))
+        found.append(
+            TrackedEpoch(
+                label=str(epoch), time=time, units=units, registration=placed, redundancy=3 * len(names) - 6, targets=targets
+            )
+        )  # fmt: skip
+    return found
+
+
+def vectors(path: Path, layer: str, datum: str) -> dict[str, np.ndarray]:
+    rows = [row for row in read_layer_rows(path, layer) if row["feature"] == "centre" and row["datum"] == datum]
+    return {row["unit_id"]: np.array([row["de"], row["dn"], row["dh"], row["sd_e"], row["sd_n"], row["sd_h"]]) for row in rows}
+
+
+def test_layers_give_what_a_run_gives(coast: BentCoast, tmp_path: Path) -> None:
+    write_result(tmp_path / "units.gpkg", "EPSG:32650", {"units": unit_rows(coast)})
+    found = run_track(tmp_path / "units.gpkg", [registered(coast, tmp_path / "control.gpkg")], tmp_path / "out.gpkg", Feedback())
+    assert found["units"] == len(coast.places)
+    whole = track(tracked(coast), [UNIT])
+    assert whole.frames is not None
+    for layer, datum in (("displacements", "stable"), ("displacements_other", "control")):
+        own = vectors(tmp_path / "out.gpkg", layer, datum)
+        expected = [motion.motions[datum] for motion in whole.pairs[0].units]
+        given = sorted(own.values(), key=tuple)
+        wanted = sorted((np.concatenate([m.vectors[0], np.sqrt(np.diag(m.covariances[0]))]) for m in expected), key=tuple)
+        assert np.abs(np.array(given) - np.array(wanted)).max() < 1e-5
+    assert {row["known_by"] for row in read_layer_rows(tmp_path / "out.gpkg", "frame_errors")} == {"targets", "units"}
+    assert {row["datum"] for row in read_layer_rows(tmp_path / "out.gpkg", "stretches")} == {"stable", "control"}
+    units = read_layer_rows(tmp_path / "out.gpkg", "units")
+    assert all("broken" in (row["leg1"], row["leg2"], row["leg3"], row["leg4"]) for row in units)
+
+
+@pytest.mark.parametrize("shift", [(3.0, -2.0, 1.5), (0.6, 0.4, 0.2)])
+def test_a_turned_cloud_is_aligned_by_its_units(coast: BentCoast, tmp_path: Path, shift: tuple[float, float, float]) -> None:
+    motion = Transformation(
+        origin_from=ORIGIN, origin_to=ORIGIN, translation=np.array(shift),
+        rotation=Rotation.from_euler("z", 4, degrees=True).as_matrix(), scale=1.0, covariance=np.zeros((7, 7)),
+    )  # fmt: skip
+    write_result(tmp_path / "straight.gpkg", "EPSG:32650", {"units": unit_rows(coast)})
+    write_result(tmp_path / "turned.gpkg", "EPSG:32650", {"units": unit_rows(coast, motion)})
+    said: list[str] = []
+    for name in ("straight", "turned"):
+        run_track(tmp_path / f"{name}.gpkg", [], tmp_path / f"{name}_out.gpkg", Feedback(info=said.append))
+    assert sum("aligned by" in line and ("turned by 3.9" in line or "turned by 4.0" in line) for line in said) == 1
+    first, second = (vectors(tmp_path / f"{name}_out.gpkg", "displacements", "stable") for name in ("straight", "turned"))
+    assert first.keys() == second.keys()
+    assert np.median([np.linalg.norm(first[name][:3] - second[name][:3]) for name in first]) < 1e-3
+
+
+def test_a_choice_of_frame_is_checked(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="no choice of frame"):
+        run_track(tmp_path / "units.gpkg", [], tmp_path / "out.gpkg", Feedback(), "stiff")

@@ -1,0 +1,46 @@
+"""Targets along a coast: what they leave unknown between them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from tetratrack.core.common.errors import InputError
+from tetratrack.core.registration.frame_field import matern
+from tetratrack.core.registration.target_spacing import BentSurvey, stations_for
+
+
+def test_what_is_unknown_grows_from_the_targets_own_to_the_bend() -> None:
+    survey = BentSurvey()
+    unknown = [survey.unknown(spacing) for spacing in (3, 10, 30, 70, 300)]
+    assert np.all(np.diff(unknown) > 0)
+    assert unknown[0] < survey.target_sd
+    assert survey.bend < unknown[-1] < 1.3 * survey.bend
+
+
+def test_errors_of_drawn_bends_have_the_stated_size() -> None:
+    """Kriging of random fields between stations 50 m apart, with the true covariance, errs by what is stated."""
+    survey = BentSurvey(correlation_length=30.0)
+    rng = np.random.default_rng(0)
+    places = (np.arange(9) - 3.5) * 50.0
+    everywhere = np.append(places, 0.0)
+    covariance = survey.bend**2 * matern(np.abs(everywhere[:, None] - everywhere[None]) / 30.0, 2.5)
+    fields = np.linalg.cholesky(covariance + 1e-12 * np.eye(10)) @ rng.normal(size=(10, 4000))
+    seen = fields[:9] + rng.normal(0, survey.target_sd / np.sqrt(survey.targets), (9, 4000))
+    design = np.column_stack([np.ones(9), places])
+    noisy = covariance[:9, :9] + np.eye(9) * survey.target_sd**2 / survey.targets
+    inverse = np.linalg.inv(noisy)
+    trend = np.linalg.solve(design.T @ inverse @ design, design.T @ inverse @ seen)
+    predicted = trend[0] + covariance[9, :9] @ inverse @ (seen - design @ trend)
+    assert np.std(predicted - fields[9]) == pytest.approx(survey.unknown(50.0), rel=0.05)
+
+
+def test_stations_keep_the_limit_and_fewer_do_not() -> None:
+    survey = BentSurvey()
+    count, spacing = stations_for(survey, 0.05, 500.0)
+    assert survey.detectable(spacing) <= 0.05
+    assert survey.detectable(500.0 / (count - 2)) > 0.05
+
+
+def test_a_limit_below_the_targets_own_is_refused() -> None:
+    with pytest.raises(InputError, match="cannot be reached"):
+        stations_for(BentSurvey(target_sd=0.05), 0.01, 200.0)

@@ -1,0 +1,74 @@
+"""The report shows the mould and the broken legs; the alarm list and the sections count them."""
+
+from __future__ import annotations
+
+import csv
+import json
+import sqlite3
+from contextlib import closing
+from pathlib import Path
+
+import numpy as np
+import pytest
+from synthetic_result import write_result
+from tetratrack.core.adjustment.shape_effects import prior_surface
+from tetratrack.core.adjustment.surface_estimation import mould_cells
+from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.report.alarms import write_alarms
+from tetratrack.core.report.damage import damage
+from tetratrack.core.report.report import ReportOptions, write_report
+from tetratrack.core.results.unit_rows import EpochPair, read_unit_rows
+
+
+@pytest.fixture
+def result(tmp_path: Path) -> Path:
+    """A synthetic result with a mould of nine units, and one unit of which leg 2 broke before the later epoch, unseen in it."""
+    path = tmp_path / "result.gpkg"
+    write_result(path, 12)
+    surface = prior_surface(2.5)
+    mean = np.linspace(0.01, -0.02, mould_cells().max() + 1)[mould_cells()]
+    record = (
+        type(surface)(mean, surface.variances, surface.own, surface.uneven, 0.0, 0.005, 9).as_mould("n", UnitType.tetrapod(2.5)).as_record()
+    )
+    with closing(sqlite3.connect(path)) as connection, connection:
+        for label, text in connection.execute("select label, settings from epochs").fetchall():
+            settings = json.loads(text) | {
+                "castings": {"tetrapod": record},
+                "unit_types": [{"name": "tetrapod", "height": 2.5, "leg_length": 1.61, "opening": "tetrahedral"}],
+            }
+            connection.execute("update epochs set settings = ? where label = ?", (json.dumps(settings), label))
+        labels = [row[0] for row in connection.execute("select label from epochs order by time")]
+        connection.execute("update units set leg1 = 'whole', leg2 = 'unseen', leg3 = 'whole', leg4 = 'unseen'")
+        unit = connection.execute("select unit_id from displacements where class = 'stable' order by unit_id").fetchone()[0]
+        connection.execute(
+            "update units set leg2 = 'broken', leg_missing = 0.42, leg_probability = 0.9 where unit_id = ? and epoch = ?",
+            (unit, labels[-2]),
+        )
+    return path
+
+
+def test_broken_legs_are_shown_listed_and_counted(result: Path, tmp_path: Path) -> None:
+    data = write_report(result, tmp_path / "r.html", ReportOptions(sections=("damage", "castings")))
+    (broken,) = data.castings.broken
+    assert broken.broken_legs == (2,)
+    assert broken.leg_missing == pytest.approx(0.42)
+    page = (tmp_path / "r.html").read_text()
+    assert "0.42" in page
+    assert "9 units of this survey" in page
+    assert data.figures["mould_0"].startswith("data:image/png")
+    assert data.damage is not None
+    assert sum(section.broken for section in data.damage.sections) == data.damage.n_broken == 1
+    write_alarms(result, tmp_path / "a.csv", 1e3)
+    with (tmp_path / "a.csv").open(encoding="utf-8-sig") as stream:
+        rows = list(csv.DictReader(stream))
+    assert {row["unit_id"]: (row["broken_legs"], row["leg_missing"]) for row in rows}[broken.unit_id] == ("2", "0.42")
+
+
+def test_earlier_results_say_nothing_of_legs(tmp_path: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    write_result(path, 12)
+    data = write_report(path, tmp_path / "r.html", ReportOptions(sections=("castings",)))
+    assert not data.castings.legs
+    assert not data.castings.moulds
+    rows = read_unit_rows(path, EpochPair(data.pair.epoch_from, data.pair.epoch_to), data.datum)
+    assert damage(rows).n_broken == 0

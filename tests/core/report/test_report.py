@@ -1,0 +1,216 @@
+"""The report: what it says agrees with the result, rejected units are out, texts are escaped, files are whole."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+import sqlite3
+from contextlib import closing
+from pathlib import Path
+
+import numpy as np
+import pytest
+from synthetic_result import features_of, write_points, write_result
+from tetratrack.core.armour.axis import parse_axis
+from tetratrack.core.common.errors import InputError, OutputError
+from tetratrack.core.report import report as report_module
+from tetratrack.core.report.alarms import write_alarms
+from tetratrack.core.report.report import SECTIONS, ReportOptions, translator, write_report
+from tetratrack.core.results.geopackage_reader import EpochPair
+from tetratrack.core.results.unit_rows import read_unit_rows
+from tetratrack.core.review.corrections import add_placeholder, store_picks
+from tetratrack.core.review.decisions import confirm, decide
+
+PAIR = EpochPair("2024-04-09", "2025-04-09")
+
+
+@pytest.fixture(scope="module")
+def reviewed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("report") / "result.gpkg"
+    units = write_result(path, 60)
+    write_points(path, units, per_unit=400)
+    rows = sorted(read_unit_rows(path, PAIR, "stable"), key=lambda row: -(row.d_3d or 0))
+    decide(path, [rows[0].unit_id], PAIR, "rejected", comment="two units, <script>alert(1)</script>", reviewer="Anna & Co")
+    decide(path, [rows[1].unit_id], PAIR, "inspect", comment="", reviewer="Anna & Co")
+    confirm(path, rows[1].unit_id, PAIR, reviewer="Ben")
+    add_placeholder(path, PAIR.epoch_to, [236500, 285150, 3], editor="Anna & Co")
+    checked = next(u for u in units if u.fate in ("stable", "moved"))
+    for epoch, label in ((1, PAIR.epoch_from), (2, PAIR.epoch_to)):
+        store_picks(path, checked.unit_id, label, {"f123": features_of(checked, epoch)[1]}, editor="Anna & Co")
+    return path
+
+
+@pytest.fixture(scope="module")
+def page(reviewed: Path) -> str:
+    output = reviewed.with_name("report.html")
+    write_report(reviewed, output, ReportOptions(worst=3))
+    return output.read_text(encoding="utf-8")
+
+
+def text_of(page: str) -> str:
+    return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", re.sub(r'src="data:[^"]*"', "", page)))
+
+
+def test_html_states_the_last_pair_and_leaves_the_rejected_unit_out(reviewed: Path, page: str) -> None:
+    text = text_of(page)
+    rows = sorted(read_unit_rows(reviewed, PAIR, "stable"), key=lambda row: -(row.d_3d or 0))
+    assert "2024-04-09 → 2025-04-09" in text
+    assert "Units rejected by reviewers and left out of all figures, maps and tables below: 1." in text
+    worst = re.findall(r"<h3>(U\d+) – \w+: ([\d.]+) ±", page)
+    assert [name for name, _ in worst] == [row.unit_id for row in rows[1:4]]
+    assert [float(length) for _, length in worst] == [round(100 * row.d_3d, 1) for row in rows[1:4]]
+    significant = sum(row.significant for row in rows[1:])
+    assert f"Significant displacements {significant} " in text
+    assert "Completeness" in text
+
+
+def test_table_of_check_points_has_picks_fit_and_survey(reviewed: Path, page: str) -> None:
+    text = text_of(page)
+    line = re.search(r"K1 (U\d+) f123 ([\d.]+) ([\d.]+) ([\d.]+) ([+-][\d.]+) ([+-][\d.]+)", text)
+    assert line is not None
+    manual, fitted, surveyed, error_manual, error_fitted = (float(value) for value in line.groups()[1:])
+    assert manual == pytest.approx(fitted, abs=0.11), "the pick was put on the fit"
+    assert error_fitted == pytest.approx(fitted - surveyed, abs=0.11)
+    assert error_manual == pytest.approx(error_fitted, abs=0.02)
+
+
+def test_texts_of_the_result_are_escaped(page: str) -> None:
+    assert "<script>alert" not in page
+    assert "&lt;script&gt;alert(1)&lt;/script&gt;" in page
+    assert "Anna &amp; Co" in page
+
+
+def test_page_holds_everything_it_shows(page: str) -> None:
+    sources = re.findall(r'src="([^"]{0,30})', page)
+    assert len(sources) >= 7
+    assert all(source.startswith("data:image/png;base64,") for source in sources)
+    assert "http:" not in re.sub(r"base64,[^\"]*", "", page).replace("https:", "http:")
+
+
+def test_pdf_has_pages(reviewed: Path) -> None:
+    pytest.importorskip("weasyprint")
+    output = reviewed.with_name("report.pdf")
+    write_report(reviewed, output, ReportOptions(worst=1))
+    content = output.read_bytes()
+    assert content.startswith(b"%PDF-")
+    assert len(content) > 50_000
+
+
+def test_quality_of_the_units_is_shown_by_epoch(reviewed: Path, tmp_path: Path) -> None:
+    quality = {"found": 118, "uncertain": 2, "distance_median": 0.0043, "overlap_share_max": 0.004, "close_pairs": 0, "gaps": 7}
+    with closing(sqlite3.connect(reviewed)) as connection, connection:
+        (settings,) = connection.execute("SELECT settings FROM epochs WHERE label = ?", (PAIR.epoch_to,)).fetchone()
+        settings = json.dumps(json.loads(settings) | {"quality": quality})
+        connection.execute("UPDATE epochs SET settings = ? WHERE label = ?", (settings, PAIR.epoch_to))
+    write_report(reviewed, tmp_path / "r.html", ReportOptions(sections=("quality",)))
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert re.search(rf'{PAIR.epoch_to}</td><td class="n">118</td><td class="n">2</td><td class="n">4.3</td><td class="n">0.4 %', page)
+
+
+def test_sections_and_pair_are_chosen(reviewed: Path, tmp_path: Path) -> None:
+    options = ReportOptions(pair=EpochPair("2023-04-09", "2024-04-09"), datum="control", sections=("summary", "control"))
+    write_report(reviewed, tmp_path / "short.html", options)
+    text = text_of((tmp_path / "short.html").read_text(encoding="utf-8"))
+    assert "control points alone" in text
+    assert "2023-04-09 → 2024-04-09" in text
+    assert "Damage" not in text
+    with pytest.raises(InputError, match="no section 'weather'"):
+        write_report(reviewed, tmp_path / "none.html", ReportOptions(sections=("weather",)))
+    assert not (tmp_path / "none.html").exists()
+
+
+def test_every_section_renders_without_reviews_control_or_motion(tmp_path: Path) -> None:
+    import sqlite3
+    from contextlib import closing
+
+    path = tmp_path / "bare.gpkg"
+    write_result(path, 3, 2)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        for statement in ("DELETE FROM control_residuals", "DELETE FROM check_residuals", "DROP TABLE reviews", "DELETE FROM epoch_pairs"):
+            connection.execute(statement)
+        connection.execute("UPDATE displacements SET significant = 0, class = 'stable'")
+    write_report(path, tmp_path / "bare.html")
+    text = text_of((tmp_path / "bare.html").read_text(encoding="utf-8"))
+    assert "There is no survey control" in text
+    assert "No displacement is significant." in text
+    assert "no check points" in text
+
+
+def test_wrong_ending_and_missing_folder_are_refused(reviewed: Path, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"\.docx"):
+        write_report(reviewed, tmp_path / "report.docx")
+    with pytest.raises(OutputError, match="folder does not exist"):
+        write_report(reviewed, tmp_path / "no" / "report.html")
+    with pytest.raises(InputError, match="no epoch pair"):
+        write_report(reviewed, tmp_path / "r.html", ReportOptions(pair=EpochPair("a", "b")))
+
+
+def test_translation_comes_from_the_catalogues_of_the_interface(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    catalogue = (
+        "<TS><context><name>tetratrack</name><message><source>Summary</source><translation>Résumé</translation></message></context></TS>"
+    )
+    (tmp_path / "tetratrack_fr.ts").write_text(catalogue, encoding="utf-8")
+    monkeypatch.setattr(report_module, "CATALOGUES", tmp_path)
+    assert translator("fr_CA")("Summary") == "Résumé"
+    assert translator("fr")("Damage") == "Damage"
+    assert translator("xx")("Summary") == "Summary"
+
+
+def test_axis_is_read_or_refused() -> None:
+    np.testing.assert_array_equal(parse_axis("0,0 10,5;20,5"), [[0, 0], [10, 5], [20, 5]])
+    for text in ("", "1,2", "1,2 3", "a,b c,d", "1,2 nan,3"):
+        with pytest.raises(InputError, match="not a list of places"):
+            parse_axis(text)
+
+
+def test_alarms_agree_in_both_forms(reviewed: Path, tmp_path: Path) -> None:
+    count = write_alarms(reviewed, tmp_path / "a.csv", 0.10)
+    assert write_alarms(reviewed, tmp_path / "a.geojson", 0.10) == count
+    with (tmp_path / "a.csv").open(encoding="utf-8-sig", newline="") as stream:
+        lines = list(csv.DictReader(stream))
+    features = json.loads((tmp_path / "a.geojson").read_text(encoding="utf-8"))["features"]
+    assert len(lines) == len(features) == count > 0
+    rows = {row.unit_id: row for row in read_unit_rows(reviewed, PAIR, "stable")}
+    rejected = max(rows.values(), key=lambda row: row.d_3d or 0).unit_id
+    expected = {n for n, r in rows.items() if n != rejected and ((r.d_3d or 0) > 0.10 or r.kind in ("lost", "relocated"))}
+    assert {line["unit_id"] for line in lines} == {f["properties"]["unit_id"] for f in features} == expected
+    known = [float(line["d_3d"]) for line in lines if line["d_3d"]]
+    assert known == sorted(known, reverse=True)
+    with pytest.raises(InputError, match=r"\.txt"):
+        write_alarms(reviewed, tmp_path / "a.txt", 0.1)
+
+
+def test_formula_in_a_comment_stays_text(reviewed: Path, tmp_path: Path) -> None:
+    rows = sorted(read_unit_rows(reviewed, EpochPair("2023-04-09", "2024-04-09"), "stable"), key=lambda row: -(row.d_3d or 0))
+    pair = EpochPair("2023-04-09", "2024-04-09")
+    decide(reviewed, [rows[0].unit_id], pair, "accepted", comment="=1+1", reviewer="A")
+    write_alarms(reviewed, tmp_path / "a.csv", 0.01, pair=pair)
+    assert "'=1+1" in (tmp_path / "a.csv").read_text(encoding="utf-8")
+
+
+def test_every_section_has_a_template() -> None:
+    assert {path.name for path in report_module.TEMPLATES.glob("section_*.html")} == {f"section_{name}.html" for name in SECTIONS}
+
+
+def test_commands_end_with_their_exit_codes(reviewed: Path, tmp_path: Path) -> None:
+    from tetratrack.scripts.cli import app
+    from typer.testing import CliRunner
+
+    runner = CliRunner()
+    done = runner.invoke(
+        app, ["report", str(reviewed), "-o", str(tmp_path / "r.html"), "--worst", "0", "--axis", "236490,285150 236540,285185"]
+    )
+    assert done.exit_code == 0, done.output
+    assert "Sections along the axis" in (tmp_path / "r.html").read_text(encoding="utf-8")
+    done = runner.invoke(app, ["alarms", str(reviewed), "-o", str(tmp_path / "a.csv"), "--from", PAIR.epoch_from, "--to", PAIR.epoch_to])
+    assert done.exit_code == 0, done.output
+    for arguments in (
+        ["report", str(tmp_path / "none.gpkg"), "-o", str(tmp_path / "r.html")],
+        ["report", str(reviewed), "-o", str(tmp_path / "r.html"), "--axis", "1,2"],
+        ["alarms", str(reviewed), "-o", str(tmp_path / "a.csv"), "--from", "2024-04-09"],
+        ["refit", str(reviewed), "--unit", "U00001", "--epoch", "2024-04-09", "--near", "here", "--editor", "A"],
+    ):
+        done = runner.invoke(app, arguments)
+        assert done.exit_code == 2, done.output
+        assert "Traceback" not in done.output

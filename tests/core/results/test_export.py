@@ -1,0 +1,53 @@
+"""Export of a result's layers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tetratrack.core.common.errors import InputError
+from tetratrack.core.results.export import export_layers
+from tetratrack.core.results.geopackage_writer import write_geopackage
+
+ROW = {
+    "unit_id": "U0001",
+    "epoch": "a",
+    "epoch_time": "2025-03-14T02:30:00+00:00",
+    "height": 2.3,
+    "status": "found",
+    "geometry": [1.0, 2.0, 3.0],
+}
+LINE = {"unit_id": "U0001", "feature": "centre", "de": 0.1, "significant": True, "geometry": [[1.0, 2.0, 3.0], [1.1, 2.0, 3.0]]}
+
+
+@pytest.fixture
+def result(tmp_path: Path) -> Path:
+    path = tmp_path / "result.gpkg"
+    lost = ROW | {"unit_id": "U0002", "status": "lost", "geometry": None}
+    write_geopackage(path, "EPSG:32652", {"units": [ROW, lost], "displacements": [LINE]})
+    return path
+
+
+def test_csv_has_coordinates_as_columns(result: Path, tmp_path: Path) -> None:
+    pandas = pytest.importorskip("pandas")
+    files = export_layers(result, tmp_path / "out", ["csv"], ["units", "displacements"])
+    units, lines = (pandas.read_csv(file) for file in files)
+    assert units.loc[0, ["x", "y", "z"]].tolist() == [1, 2, 3]
+    assert np.isnan(units.loc[1, "x"])
+    assert units.loc[0, "epoch_time"] == "2025-03-14T02:30:00Z"
+    assert lines.loc[0, ["x", "x_to"]].tolist() == [1, 1.1]
+
+
+def test_parquet_keeps_geometry_crs_and_times(result: Path, tmp_path: Path) -> None:
+    geopandas = pytest.importorskip("geopandas")
+    export_layers(result, tmp_path / "out", ["parquet"])
+    units = geopandas.read_parquet(tmp_path / "out" / "units.parquet")
+    assert units.crs.to_epsg() == 32652
+    assert units.geometry[0].z == 3
+    assert str(units["epoch_time"].dtype).startswith("datetime64")
+
+
+def test_unknown_layer_is_named(result: Path, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="has no layer roads"):
+        export_layers(result, tmp_path / "out", layers=["roads"])

@@ -1,0 +1,102 @@
+"""No output eats an input or another output; whatever is refused is as it was."""
+
+from __future__ import annotations
+
+import hashlib
+import shutil
+from pathlib import Path
+
+import pytest
+from crooked_las import write_survey
+from las_files import grid_points, write_las
+from tetratrack.core.common.errors import OutputError
+from tetratrack.core.common.output_files import check_targets, safe_name
+from tetratrack.scripts.cli import app
+from typer.testing import CliRunner
+
+
+@pytest.fixture
+def site(tiny: Path, result: Path, tmp_path: Path) -> Path:
+    """A copy of the tiny survey with its result."""
+    shutil.copytree(tiny, tmp_path / "site", ignore=shutil.ignore_patterns("truth"))
+    shutil.copy(result, tmp_path / "site" / "result.gpkg")
+    return tmp_path / "site"
+
+
+def sums(folder: Path) -> dict[str, str]:
+    """Checksum of every file."""
+    return {str(p.relative_to(folder)): hashlib.sha256(p.read_bytes()).hexdigest() for p in folder.rglob("*") if p.is_file()}
+
+
+def refused(site: Path, *arguments: str, said: str) -> None:
+    """The command ends with exit code 2 and one sentence, and changes no file."""
+    before = sums(site)
+    done = CliRunner().invoke(app, [argument.replace("SITE", str(site)) for argument in arguments])
+    assert done.exit_code == 2, done.output
+    assert said in done.stderr
+    assert "Traceback" not in done.output
+    assert sums(site) == before
+
+
+INPUT = "is one of the inputs and would be overwritten"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("label-tiles", "SITE/survey.toml", "SITE/result.gpkg", "--folder", "SITE/tiles"), INPUT),
+        (
+            ("inspect", "-o", "SITE/tiles/2024-04-09/tiny_20240409_00.laz", "SITE/tiles/2024-04-09/tiny_20240409_10.laz"),
+            "is no layer of tiles",
+        ),
+        (("inspect", "SITE/survey.toml", "-o", "SITE/survey.toml"), INPUT),
+        (("inspect", "SITE/survey.toml", "-o", "SITE/control_2024-04-09.csv"), INPUT),
+        (("inspect", "SITE/survey.toml", "-o", "SITE/result.gpkg"), "exists and is no layer of tiles"),
+        (("run", "SITE/survey.toml", "-o", "SITE/survey.toml"), INPUT),
+        (("segment", "SITE/survey.toml", "-o", "SITE/tiles/2024-04-09/tiny_20240409_00.laz"), INPUT),
+        (("fit", "SITE/survey.toml", "--units", "SITE/result.gpkg", "-o", "SITE/result.gpkg"), INPUT),
+        (("features", "SITE/result.gpkg", "-o", "SITE/result.gpkg"), INPUT),
+        (("track", "SITE/result.gpkg", "-o", "SITE/result.gpkg"), INPUT),
+        (("track", "SITE/result.gpkg", "--registration", "SITE/survey.toml", "-o", "SITE/survey.toml"), INPUT),
+        (("validate", "SITE/result.gpkg", "--check", "SITE/check_2024-04-09.csv", "-o", "SITE/check_2024-04-09.csv"), INPUT),
+        (("report", "SITE/result.gpkg", "-o", "SITE/result.gpkg"), "End the name in .html or .pdf"),
+        (("alarms", "SITE/result.gpkg", "-o", "SITE/result.gpkg"), "End the name in .csv or .geojson"),
+        (("register-views", "SITE/tiles/2024-04-09/tiny_20240409_00.laz", "-o", "SITE/tiles/2024-04-09/tiny_20240409_00.laz"), INPUT),
+        (("batch", "SITE/survey.toml", "SITE/survey.toml"), "would be written twice"),
+        (("inspect", "SITE/survey.toml", "--log-file", "SITE/survey.toml"), "is no name for a log"),
+    ],
+)
+def test_an_output_that_is_an_input_is_refused(site: Path, arguments: tuple[str, ...], said: str) -> None:
+    refused(site, *arguments, said=said)
+
+
+def test_links_and_other_ways_to_write_a_path_are_seen_through(tmp_path: Path) -> None:
+    tile = write_las(tmp_path / "a.laz", grid_points())
+    (tmp_path / "link.laz").symlink_to(tile)
+    (tmp_path / "hard.laz").hardlink_to(tile)
+    (tmp_path / "x").mkdir()
+    for name in ("link.laz", "hard.laz", "x/../a.laz"):
+        with pytest.raises(OutputError, match=INPUT):
+            check_targets([(tmp_path / name, "tiles")], [tile])
+    with pytest.raises(OutputError, match="would be written twice, for one and for two"):
+        check_targets([(tmp_path / "b.laz", "one"), (tmp_path / "x" / ".." / "b.laz", "two")])
+    check_targets([(tmp_path / "b.laz", "one")], [tile, tmp_path / "gone.laz"])
+
+
+def test_two_reliefs_of_one_name_are_refused(tmp_path: Path) -> None:
+    write_las(tmp_path / "a.laz", grid_points())
+    epochs = "".join(
+        f'[[epoch]]\nlabel = "{label}"\ntime = 2024-0{k}-14T02:30:00Z\ntiles = "a.laz"\n' for k, label in ((1, "a b"), (2, "a/b"))
+    )
+    survey = write_survey(tmp_path, epochs=epochs)
+    done = CliRunner().invoke(app, ["relief", str(survey), "-o", str(tmp_path / "relief")])
+    assert done.exit_code == 2
+    assert "relief_a-b.tif: would be written twice, for epoch a b and for epoch a/b" in done.stderr
+    # letters of other scripts stay apart
+    assert [safe_name(label) for label in ("봄", "가을", "../up")] == ["봄", "가을", "-up"]
+
+
+def test_a_layer_of_tiles_may_be_written_again(site: Path) -> None:
+    for _ in range(2):
+        done = CliRunner().invoke(app, ["inspect", str(site / "survey.toml"), "-o", str(site / "tiles.gpkg")])
+        assert done.exit_code == 0, done.output

@@ -1,0 +1,120 @@
+"""Many surveys and watched folders: one bad survey does not end the others; new epochs are run, unchanged ones are not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from las_files import grid_points, write_las
+from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.results.geopackage_reader import read_layer_rows
+from tetratrack.scripts import batch
+from tetratrack.scripts.cli import app
+from typer.testing import CliRunner
+
+HEAD = '[survey]\nname = "s"\ncrs = "EPSG:32650"\n[unit]\ntype = "tetrapod"\nheight = 2.3\n'
+EPOCH = '[[epoch]]\nlabel = "{label}"\ntime = {label}-03-14T02:30:00Z\ntiles = "{label}/*.laz"\n'
+
+
+def _site(folder: Path, *labels: str) -> Path:
+    for label in labels:
+        (folder / label).mkdir(parents=True, exist_ok=True)
+        write_las(folder / label / "a.laz", grid_points())
+    survey = folder / "survey.toml"
+    survey.write_text(HEAD + "".join(EPOCH.format(label=label) for label in labels), encoding="utf-8")
+    return survey
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(batch, "SETTLED_SECONDS", 0.0)
+
+
+def test_batch_runs_all_and_names_the_bad_one(tmp_path: Path) -> None:
+    good, bad, other = (_site(tmp_path / name, "2024") for name in ("good", "bad", "other"))
+    (tmp_path / "bad" / "2024" / "a.laz").write_bytes(b"no cloud")
+    result = CliRunner().invoke(app, ["batch", str(good), str(bad), str(other), "--workers", "1"])
+    assert result.exit_code == 2
+    assert "1 of 3 surveys failed" in result.stderr
+    assert str(bad) in result.stderr
+    assert "is not a LAS or LAZ file" in result.stderr
+    for survey in (good, other):
+        assert len(read_layer_rows(batch.result_of(survey), "epochs")) == 1
+    assert not batch.result_of(bad).exists()
+
+
+def test_watch_runs_what_is_new_and_only_that(tmp_path: Path, quick: None) -> None:
+    survey = _site(tmp_path, "2024")
+    options = ["--workers", "1"]
+    assert batch.watch(survey, options, 1, True, Feedback()) == {"runs": 1}
+    assert batch.watch(survey, options, 1, True, Feedback()) == {"runs": 0}
+    _site(tmp_path, "2024", "2025")
+    assert batch.watch(survey, options, 1, True, Feedback()) == {"runs": 1}
+    assert [row["label"] for row in read_layer_rows(tmp_path / "survey.gpkg", "epochs")] == ["2024", "2025"]
+
+
+class _Enough(Exception):
+    """Ends a watch in a test."""
+
+
+def _watch(monkeypatch: pytest.MonkeyPatch, survey: Path, outcomes: list[batch.Outcome], looks: int) -> tuple[list[str], list[float]]:
+    """Watch with prescribed outcomes of the runs for a number of looks: what was said, and the pauses."""
+    said: list[str] = []
+    pauses: list[float] = []
+
+    def sleep(seconds: float) -> None:
+        if seconds:
+            pauses.append(seconds)
+        if len(pauses) >= looks:
+            raise _Enough
+
+    monkeypatch.setattr(batch, "_run", lambda *_: outcomes.pop(0))
+    monkeypatch.setattr(batch.time, "sleep", sleep)
+    with pytest.raises(_Enough):
+        batch.watch(survey, [], 60, False, Feedback(info=said.append, warning=said.append))
+    return said, pauses
+
+
+def test_watch_says_once_what_it_waits_for(tmp_path: Path, quick: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    survey = _site(tmp_path, "2024")
+    (tmp_path / "2024" / "a.laz").unlink()
+    said, pauses = _watch(monkeypatch, survey, [], 3)
+    assert len(said) == 1
+    assert "no file matches 2024/*.laz" in said[0]
+    assert pauses == [60, 60, 60]
+
+
+def test_watch_tries_again_what_failed_for_a_passing_reason(tmp_path: Path, quick: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    survey = _site(tmp_path, "2024")
+    locked = batch.Outcome(2, "is locked", passing=True)
+    _, pauses = _watch(monkeypatch, survey, [locked, locked, batch.Outcome(0)], 4)
+    assert pauses == [120, 240, 60, 60]
+
+
+def test_watch_remembers_input_that_is_refused(tmp_path: Path, quick: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    survey = _site(tmp_path, "2024")
+    _, pauses = _watch(monkeypatch, survey, [batch.Outcome(2, "has no CRS")], 4)
+    assert pauses == [60, 60, 60, 60]
+
+
+def test_watch_once_ends_as_the_run_did(tmp_path: Path) -> None:
+    survey = _site(tmp_path, "2024")
+    (tmp_path / "2024" / "a.laz").write_bytes(b"no cloud")
+    refused = CliRunner().invoke(app, ["watch", str(survey), "--once", "--workers", "1", "--quiet"])
+    assert refused.exit_code == 2
+    assert "is not a LAS or LAZ file" in refused.stderr
+    (tmp_path / "2024" / "a.laz").unlink()
+    missing = CliRunner().invoke(app, ["watch", str(survey), "--once", "--workers", "1", "--quiet"])
+    assert missing.exit_code == 2
+    assert "no file matches 2024/*.laz" in missing.stderr
+
+
+def test_nothing_of_the_working_directory_is_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Modules of a stranger's folder, of libraries and of Python's own, stay unread by the engine and by worker processes."""
+    survey = _site(tmp_path / "site", "2024", "2025")
+    for name in ("typer", "numpy", "pickle", "selectors", "threading", "tetratrack"):
+        (tmp_path / f"{name}.py").write_text(f"open({str(tmp_path / 'RUN')!r}, 'w')\nraise SystemExit(0)\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert batch.run_batch([survey], ["--workers", "2"], Feedback()) == {"surveys": 1}
+    assert not (tmp_path / "RUN").exists()
+    assert len(read_layer_rows(batch.result_of(survey), "epochs")) == 2

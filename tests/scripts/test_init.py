@@ -1,0 +1,147 @@
+"""Command ``init`` and ``run FOLDER``: what the files say goes into survey.toml, what they leave open is asked, nothing is guessed."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import tomllib
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from las_files import grid_points, write_las
+from tetratrack.core.data.survey import read_survey
+from tetratrack.scripts.cli import app
+from typer.testing import CliRunner
+
+TINY = Path(__file__).resolve().parents[1] / "data" / "tiny"
+
+
+def _init(*arguments: object) -> tuple[str, str]:
+    result = CliRunner().invoke(app, ["init", *map(str, arguments)])
+    assert result.exit_code == 0, result.output
+    return result.stdout, result.stderr
+
+
+def test_everything_that_the_files_of_a_survey_say(tmp_path: Path) -> None:
+    text, _ = _init(TINY / "tiles", "--height", 2.3)
+    (tmp_path / "survey.toml").write_text(text, encoding="utf-8")
+    drafted, given = read_survey(tmp_path / "survey.toml"), read_survey(TINY / "survey.toml")
+    assert (drafted.name, drafted.crs, drafted.unit.height) == ("tiny", given.crs, given.unit.height)
+    for ours, theirs in zip(drafted.epochs, given.epochs, strict=True):
+        assert (ours.label, ours.tiles, ours.control, ours.targets, ours.check) == (
+            theirs.label,
+            theirs.tiles,
+            theirs.control,
+            theirs.targets,
+            theirs.check,
+        )
+        assert abs((ours.time - theirs.time).total_seconds()) < 600
+
+
+def test_paths_are_relative_to_a_file_beside_the_data(tmp_path: Path) -> None:
+    shutil.copytree(TINY / "tiles", tmp_path / "site" / "tiles")
+    _init(tmp_path / "site", "--height", 2.3, "--output", tmp_path / "site" / "survey.toml")
+    data = tomllib.loads((tmp_path / "site" / "survey.toml").read_text(encoding="utf-8"))
+    assert [epoch["tiles"] for epoch in data["epoch"]] == ["tiles/2024-04-09/*.laz", "tiles/2024-10-09/*.laz"]
+
+
+def test_a_file_of_the_users_own_is_not_replaced(tmp_path: Path) -> None:
+    own = tmp_path / "survey.toml"
+    own.write_text("# mine\n")
+    result = CliRunner().invoke(app, ["init", str(TINY / "tiles"), "--height", "2.3", "--output", str(own)])
+    assert result.exit_code == 2
+    assert "is there already" in result.stderr
+    assert own.read_text() == "# mine\n"
+
+
+def test_a_missing_crs_is_asked_for(tmp_path: Path) -> None:
+    write_las(tmp_path / "a_20240409.laz", grid_points(), crs=None)
+    text, said = _init(tmp_path)
+    assert 'crs = ""  # ASK' in text
+    assert "--crs" in said
+    refused = CliRunner().invoke(app, ["run", str(tmp_path), "--output", str(tmp_path / "result.gpkg")])
+    assert refused.exit_code == 2
+    assert "--crs" in refused.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a_20240409.laz"]
+
+
+def test_a_crs_given_for_tiles_without_one(tmp_path: Path) -> None:
+    write_las(tmp_path / "a_20240409.laz", grid_points(), crs=None)
+    data = tomllib.loads(_init(tmp_path, "--crs", "EPSG:32650", "--height", 2.3)[0])
+    assert (data["survey"]["crs"], data["epoch"][0]["undeclared_crs"]) == ("EPSG:32650", "EPSG:32650")
+
+
+def test_epochs_that_do_not_overlap_are_named(tmp_path: Path) -> None:
+    write_las(tmp_path / "a_20240409.laz", grid_points())
+    write_las(tmp_path / "a_20250409.laz", grid_points() + np.array([200, 0, 0]))
+    _, said = _init(tmp_path, "--height", 2.3)
+    assert "do not overlap" in said
+
+
+def _found(*arguments: object) -> dict[str, Any]:
+    stdout, _ = _init(*arguments, "--json-progress")
+    return next(found for line in stdout.splitlines() if (found := json.loads(line))["event"] == "result")["outputs"]
+
+
+def test_a_table_of_epochs_comes_without_the_size() -> None:
+    draft = _found(TINY / "tiles", "--no-size")["draft"]
+    first, second = draft["epochs"]
+    assert (first["label"], second["label"]) == ("2024-04-09", "2024-10-09")
+    assert len(first["tiles"]) == len(first["footprint"]) == 2
+    assert first["points"] > 10_000
+    assert first["density"] > 50
+    assert first["crs"] == "EPSG:32650"
+    assert Path(first["files"]["control"]).name == "control_2024-04-09.csv"
+    assert draft["units"][0]["height"] is None
+
+
+def test_corrected_epochs_become_a_survey(tmp_path: Path) -> None:
+    draft = _found(TINY / "tiles", "--no-size")["draft"]
+    rows = [{key: epoch[key] for key in ("label", "time", "tiles", "files")} for epoch in draft["epochs"]]
+    rows[0] |= {"label": "before", "time": "2024-04-08T05:00:00+09:00"}
+    rows[1]["files"] = {"check": rows[1]["files"]["check"]}
+    table = tmp_path / "rows.json"
+    table.write_text(json.dumps(rows), encoding="utf-8")
+    written = _found("--epochs", table, "--name", "harbour", "--height", 2.3, "--output", tmp_path / "survey.toml")
+    survey = read_survey(Path(written["survey"]))
+    assert (survey.name, [epoch.label for epoch in survey.epochs]) == ("harbour", ["before", "2024-10-09"])
+    assert survey.epochs[0].time == datetime(2024, 4, 7, 20, tzinfo=UTC)
+    assert survey.epochs[0].control is not None
+    assert (survey.epochs[1].control, survey.epochs[1].check is None) == (None, False)
+
+
+@pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        ([], "no epoch is given"),
+        ([{"tiles": []}], "has no tiles"),
+        ([{"tiles": ["a.laz"], "time": "soon"}], "holds no epochs"),
+        ([{"tiles": ["a.laz"]}, {"label": "2", "tiles": ["a.laz"]}], "tile of two epochs"),
+    ],
+)
+def test_rows_that_make_no_survey_are_refused(tmp_path: Path, rows: list[dict[str, object]], said: str) -> None:
+    write_las(tmp_path / "a.laz", grid_points())
+    stated = [row | {"tiles": [str(tmp_path / str(tile)) for tile in row["tiles"]]} for row in rows]  # type: ignore[union-attr]
+    (tmp_path / "rows.json").write_text(json.dumps(stated), encoding="utf-8")
+    result = CliRunner().invoke(app, ["init", "--epochs", str(tmp_path / "rows.json"), "--height", "2.3"])
+    assert result.exit_code == 2
+    assert said in result.stderr
+
+
+def test_no_units_says_why(tmp_path: Path) -> None:
+    write_las(tmp_path / "a_20240409.laz", grid_points())
+    text, said = _init(tmp_path)
+    assert "# height" in text
+    assert "400 points" in said
+
+
+@pytest.mark.slow
+def test_a_folder_runs_without_asking(tmp_path: Path) -> None:
+    output = tmp_path / "result.gpkg"
+    result = CliRunner().invoke(app, ["run", str(TINY / "tiles"), "--output", str(output), "--workers", "1"])
+    assert result.exit_code == 0, result.output
+    assert output.is_file()
+    assert read_survey(tmp_path / "result.toml").unit.height == pytest.approx(2.3, rel=0.01)
