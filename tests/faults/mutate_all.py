@@ -244,6 +244,17 @@ def try_kind(site: Path, looker: Looker, kind: Kind, number: int, seed: int, kee
     return tally
 
 
+FIRST = ("inspect", "a.las")
+
+
+def compile_loops(site: str) -> None:
+    """Let each command compile the loops that it needs, in a process of its own: compiling takes memory that reading a file does not."""
+    prepare(site)
+    look(FIRST)
+    for command in dict.fromkeys(command for kind in kinds(Path(site)) for command in kind.commands):
+        look(command)
+
+
 def try_all(
     site: Path,
     number: int,
@@ -254,11 +265,14 @@ def try_all(
 ) -> list[Tally]:
     """Make a site and try mutations of every kind of input in it, ``number`` in all."""
     make_site(site)
+    compiling = multiprocessing.get_context("spawn").Process(target=compile_loops, args=(str(site),))
+    compiling.start()
+    compiling.join()
     looker = Looker(site)
     tallies = []
     try:
         # what is remembered of a tile comes to be, and all that is sound is read; units made up have no covariance to track them with
-        first = looker.look(("inspect", "a.las"))[:2]
+        first = looker.look(FIRST)[:2]
         assert first == (0, ""), first
         for command in dict.fromkeys(command for kind in kinds(site) for command in kind.commands):
             assert looker.look(command)[:2] == (2 if command[0] == "track" else 0, ""), command

@@ -18,11 +18,15 @@ from tetratrack.core.pipeline.job_runner import check_scheduler
 from tetratrack.core.pipeline.run_options import RunOptions, job_runner
 
 JOBS = """
-import sys, time
+import signal, sys, time
 from dataclasses import dataclass
 from pathlib import Path
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.pipeline.run_options import RunOptions, job_runner
+
+if hasattr(signal, "SIGHUP"):
+    # who starts the tests in the background may have this ignored, which is inherited
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 @dataclass(frozen=True)
 class Sleep:
