@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
-from ..model.outline import VOLUME_RATIO, PlacedShape
+from ..model.outline import PlacedShape, nominal_diameter
 from ..results.unit_bodies import polygon_area
 from .contacts import free_gaps, reach_of
 
@@ -39,6 +39,8 @@ class UnitPlacement:
 
     Attributes
     ----------
+    nominal_diameter
+        Dn of the units as fitted, metres.
     layer
         (n,) 1 for units that none lies over, one more for each layer above.
     inner
@@ -59,6 +61,7 @@ class UnitPlacement:
         (n,) 1 where the unit stands right above the next one down the slope, else 0; NaN where there is no slope or none below.
     """
 
+    nominal_diameter: float
     layer: IntArray
     inner: BoolArray
     cell: FloatArray
@@ -148,7 +151,7 @@ def placement_of_units(shapes: Sequence[PlacedShape], height: float, symmetries:
 
     if len(shapes) < FEWEST_UNITS:
         return None
-    diameter = VOLUME_RATIO ** (1 / 3) * height
+    diameter = nominal_diameter(shapes)
     centres = np.array([shape.centre for shape in shapes])
     reduced = centres - centres.mean(axis=0)
     count = min(NEIGHBOURS, len(shapes) - 1)
@@ -172,6 +175,7 @@ def placement_of_units(shapes: Sequence[PlacedShape], height: float, symmetries:
     inner = known & (cell <= EDGE_CELL * np.median(cell[known])) if known.any() else known
     gaps = _gaps(shapes, reduced)
     return UnitPlacement(
+        nominal_diameter=diameter,
         layer=layer,
         inner=inner,
         cell=np.where(inner, cell, np.nan),
@@ -187,10 +191,10 @@ def placement_of_units(shapes: Sequence[PlacedShape], height: float, symmetries:
 def placement(shapes: Sequence[PlacedShape], height: float, symmetries: FloatArray) -> Placement | None:
     """Figures of all units together (see :func:`placement_of_units`); None where too few have neighbours on all sides."""
     found = placement_of_units(shapes, height, symmetries)
-    return None if found is None else summary(found, height, symmetries)
+    return None if found is None else summary(found, symmetries)
 
 
-def summary(units: UnitPlacement, height: float, symmetries: FloatArray) -> Placement | None:
+def summary(units: UnitPlacement, symmetries: FloatArray) -> Placement | None:
     """Figures of all units together; None where no unit of the outer layer has neighbours on all sides."""
     from scipy.spatial.transform import Rotation
     from scipy.stats import ks_2samp
@@ -199,7 +203,7 @@ def summary(units: UnitPlacement, height: float, symmetries: FloatArray) -> Plac
     inner = outer & units.inner
     if not inner.any():
         return None
-    diameter = VOLUME_RATIO ** (1 / 3) * height
+    diameter = units.nominal_diameter
     density = float(inner.sum() / units.cell[inner].sum())
     layers = []
     for number in np.unique(units.layer).tolist():
@@ -230,7 +234,7 @@ def summary(units: UnitPlacement, height: float, symmetries: FloatArray) -> Plac
         gap_median=float(np.median(gaps)) if len(gaps) else math.nan,
         columns=int(np.nansum(units.column[on_slope])),
         on_slope=int(on_slope.sum()),
-        nominal_diameter=float(diameter),
+        nominal_diameter=diameter,
     )
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..model.outline import VOLUME_RATIO, PlacedShape
+from ..model.outline import PlacedShape
 from ..model.unit_types import UnitType
 from ..results.unit_rows import UnitSize, shape_of
 from .placement import UnitPlacement, placement_of_units
@@ -43,7 +43,7 @@ def placement_rows(units: Iterable[Row], sizes: Sequence[UnitSize]) -> list[dict
             height = heights.pop()
             found = placement_of_units([shape for _, shape in placed], height, UnitType.tetrapod(1.0, opening=opening).symmetries)
             if found is not None:
-                rows += [_row(row, shape, found, k, VOLUME_RATIO ** (1 / 3) * height) for k, (row, shape) in enumerate(placed)]
+                rows += [_row(row, shape, found, k) for k, (row, shape) in enumerate(placed)]
     return rows
 
 
@@ -52,7 +52,8 @@ def size_of_type(unit: UnitType) -> UnitSize:
     return UnitSize(unit.name, unit.height, unit.leg_length, unit.opening)
 
 
-def _row(row: Row, shape: PlacedShape, found: UnitPlacement, k: int, diameter: float) -> dict[str, Any]:
+def _row(row: Row, shape: PlacedShape, found: UnitPlacement, k: int) -> dict[str, Any]:
+    diameter = found.nominal_diameter
     column = float(found.column[k])
     return {name: row.get(name) for name in ("unit_id", "epoch", "epoch_time", "epoch_until", "unit_type")} | {
         "geometry": shape.centre,

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..common.arrays import FloatArray
 from ..model.facets import facets, plan_outline
-from ..model.outline import VOLUME_RATIO, PlacedShape
+from ..model.outline import PlacedShape, nominal_diameter
 from ..results.geopackage_reader import Row
 from ..results.unit_rows import Z_95
 from .as_built import AsBuilt, BuiltUnit
@@ -136,7 +136,7 @@ def crest_rows(models: Sequence[AsBuilt], axis: Axis, planes: Sequence[CutPlane]
                 before = {}
                 continue
             tops = np.array([unit.shape.centre[2] + support(unit.shape, UP) for unit in own])
-            limit = tops.max() - CREST_DIAMETERS * VOLUME_RATIO ** (1 / 3) * float(own[0].row["height"])
+            limit = tops.max() - CREST_DIAMETERS * nominal_diameter([unit.shape for unit in own])
             crest = [(unit, float(top)) for unit, top in zip(own, tops, strict=True) if top >= limit]
             rows.append({"section": number, "along": plane.along, "epoch": model.epoch} | _crest(crest, axis, plane, before))
             before = {unit.unit_id: (top, float(unit.row.get("sd_h") or 0.0)) for unit, top in crest}

@@ -7,15 +7,14 @@ is needed: these functions also run inside QGIS's own Python.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..common.arrays import FloatArray
 
-VOLUME_RATIO = 0.280
-"""Volume of a standard tetrapod over H^3 (Shore Protection Manual, 1984)."""
 SPM_PACKING = 0.52
 """Units per Dn^2 of one layer of tetrapods by design: 1.04 for two (Shore Protection Manual, 1984, table 7-13: k = 1.04, porosity 50 %)."""
 
@@ -87,6 +86,24 @@ def reach(directions: ArrayLike, shape: PlacedShape) -> FloatArray:
     cosine = np.clip(np.max(body @ shape.legs.T, axis=-1), -1, 1)
     sine = np.sqrt(1 - cosine**2)
     return np.asarray(np.minimum(shape.radius / (sine + shape.gradient * cosine), shape.leg_length / np.maximum(cosine, 1e-12)))
+
+
+def volume(shape: PlacedShape) -> float:
+    """Volume of the union of the four frusta, m3: the integral of reach^3 / 3 over the sphere, since co-centred cones are star-shaped."""
+    z, weight = np.polynomial.legendre.leggauss(400)
+    azimuth = (np.arange(720) + 0.5) * (2 * math.pi / 720)
+    rho = np.sqrt(1 - z**2)
+    directions = np.stack(
+        [rho[:, None] * np.cos(azimuth), rho[:, None] * np.sin(azimuth), np.broadcast_to(z[:, None], (400, 720))], axis=-1
+    )
+    return float(np.sum(weight[:, None] * reach(directions, shape) ** 3) / 3 * (2 * math.pi / 720))
+
+
+def nominal_diameter(shapes: Sequence[PlacedShape]) -> float:
+    """Dn = volume^(1/3) of units as fitted, metres: of their median cone."""
+    radius, gradient, leg_length = np.median([(shape.radius, shape.gradient, shape.leg_length) for shape in shapes], axis=0).tolist()
+    typical = replace(shapes[0], rotation=np.eye(3), radius=radius, gradient=gradient, leg_length=leg_length)
+    return float(volume(typical) ** (1 / 3))
 
 
 def section(shape: PlacedShape, right: ArrayLike, up: ArrayLike, steps: int = 240) -> FloatArray:

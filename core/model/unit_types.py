@@ -15,6 +15,7 @@ from typing import Literal
 import numpy as np
 
 from ..common.arrays import FloatArray
+from .outline import PlacedShape, volume
 
 Opening = Literal["tetrahedral", "paper"]
 
@@ -183,14 +184,5 @@ def _symmetries(opening: Opening) -> FloatArray:
 
 @lru_cache(maxsize=256)
 def _volume(radius: float, gradient: float, leg_length: float, opening: Opening) -> float:
-    """Integral of R(direction)^3 / 3 over the sphere; the union of co-centred cones is star-shaped."""
-    z, weight = np.polynomial.legendre.leggauss(400)
-    azimuth = (np.arange(720) + 0.5) * (2 * math.pi / 720)
-    rho = np.sqrt(1 - z**2)
-    directions = np.stack(
-        [rho[:, None] * np.cos(azimuth), rho[:, None] * np.sin(azimuth), np.broadcast_to(z[:, None], (400, 720))], axis=-1
-    )
-    cosine = np.clip(np.max(directions @ leg_directions(opening).T, axis=-1), -1, 1)
-    sine = np.sqrt(1 - cosine**2)
-    reach = np.minimum(radius / (sine + gradient * cosine), leg_length / np.maximum(cosine, 1e-12))
-    return float(np.sum(weight[:, None] * reach**3) / 3 * (2 * math.pi / 720))
+    legs = leg_directions(opening)
+    return volume(PlacedShape(centre=np.zeros(3), rotation=np.eye(3), radius=radius, gradient=gradient, leg_length=leg_length, legs=legs))

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from ..armour.axis import Axis, longest_direction
 from ..common.arrays import BoolArray, FloatArray
 from ..common.errors import InputError
-from ..model.outline import VOLUME_RATIO
+from ..model.unit_types import UnitType
 from ..results.unit_rows import UnitRow
 
 THRESHOLDS = (0.05, 0.10)
@@ -99,7 +99,7 @@ def nominal_diameter_of(rows: Sequence[UnitRow]) -> float:
     if stated:
         return float(np.median(stated))
     heights = [row.height for row in rows if row.height is not None]
-    return float(VOLUME_RATIO ** (1 / 3) * (np.median(heights) if heights else 1.0))
+    return UnitType.tetrapod(float(np.median(heights)) if heights else 1.0).nominal_diameter
 
 
 def damage(

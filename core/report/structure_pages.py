@@ -108,7 +108,7 @@ def structure_pages(
     if design is not None:
         figures["design"] = design_map(design, late, translate)
     return StructurePages(
-        placement=None if after is None else summary(after, min(heights), symmetries),
+        placement=None if after is None else summary(after, symmetries),
         bands=movement_bands(judged, options.bands, diameter) if judged else (),
         state=damage_state(judged, _layers(before, list(early)), diameter) if judged else "",
         profiles=found,

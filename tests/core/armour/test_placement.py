@@ -9,7 +9,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 from tetratrack.core.armour.contacts import free_gaps
 from tetratrack.core.armour.placement import CONTACT_HEIGHTS, placement, placement_of_units
-from tetratrack.core.model.outline import VOLUME_RATIO, PlacedShape
+from tetratrack.core.model.outline import PlacedShape
 from tetratrack.core.model.tetrapod import relate, sample_surface
 from tetratrack.core.model.unit_types import UnitType
 
@@ -36,7 +36,7 @@ def test_a_grid_known_by_construction_to_one_percent() -> None:
     alike = Rotation.from_matrix(UNIT.symmetries[np.arange(108) % 12])
     found = placement(_grid(alike, 0.0), UNIT.height, UNIT.symmetries)
     assert found is not None
-    diameter = VOLUME_RATIO ** (1 / 3) * UNIT.height
+    diameter = UNIT.nominal_diameter
     assert found.units == 108
     assert found.inner == 10 * 7
     assert found.density == pytest.approx(1 / (ALONG * UP_SLOPE), rel=0.01)
@@ -115,7 +115,7 @@ def test_two_layers_and_a_bent_coast() -> None:
     """Rows around an arc of 60 m radius, a second layer right under the first."""
     rng = np.random.default_rng(3)
     radius, step = 60.0, 1.8
-    diameter = VOLUME_RATIO ** (1 / 3) * UNIT.height
+    diameter = UNIT.nominal_diameter
     units = []
     for depth in (0.0, 1.04 * diameter):
         for row in range(6):
@@ -139,3 +139,12 @@ def test_two_layers_and_a_bent_coast() -> None:
     assert together.density == pytest.approx(1 / area, rel=0.02)
     assert together.layers[1].packing == pytest.approx(together.packing, rel=0.03)
     assert together.off_surface_most < 0.35
+
+
+def test_the_nominal_diameter_is_of_the_cones_as_fitted() -> None:
+    stout = UNIT.with_shape(1.1 * UNIT.radius, UNIT.gradient)
+    units = [replace(unit, radius=stout.radius) for unit in _grid(Rotation.random(108, random_state=2))]
+    found = placement(units, UNIT.height, UNIT.symmetries)
+    assert found is not None
+    assert found.nominal_diameter == pytest.approx(stout.nominal_diameter, rel=1e-12)
+    assert stout.nominal_diameter > 1.05 * UNIT.nominal_diameter

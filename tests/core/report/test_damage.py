@@ -8,11 +8,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from tetratrack.core.common.errors import InputError
+from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.report.damage import chainage, damage, main_axis
 from tetratrack.core.results.unit_rows import UnitRow
 
 H = 2.0
-DN = 0.28 ** (1 / 3) * H
+DN = UnitType.tetrapod(H).nominal_diameter
 
 
 def unit(name: str, e: float, n: float, moved: float | None, kind: str = "stable") -> UnitRow:
