@@ -644,6 +644,8 @@ def test_two_processes_writing_at_once_lose_nothing(dock: ReviewDock) -> None:
     for unit in [f"U{k + 1:05d}" for k in range(40)]:
         dock.store.select([unit])
         dock.decide("inspect")
+        told = dock.status.text()
+        assert told.startswith(f"{unit}: ") or dock.store.row(unit) is None, told
     for writer in writers:
         writer.join(60)
         assert writer.exitcode == 0
