@@ -109,106 +109,6 @@
       <translation>Blocs hors de la tolérance du profil</translation>
     </message>
     <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>GeoPackage written by Monitor a survey.</source>
-      <translation>GeoPackage écrit par Suivre un levé.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
-      <translation>Nom de l'époque dont les blocs sont regardés ; par défaut la dernière qui en a.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
-      <translation>Chemin d'un CSV unit_id,easting,northing,height des centres prévus, éventuellement qx,qy,qz,qw, ou d'une couche de points avec altitudes (FILE|layername=NAME).</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of places (m)</source>
-      <translation>Tolérance des places (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Metres a unit may be from its planned place.</source>
-      <translation>Mètres dont un bloc peut s'écarter de sa place prévue.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of turns (°)</source>
-      <translation>Tolérance des rotations (°)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>Degrés dont un bloc peut être tourné par rapport à l'orientation prévue.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
-      <translation>Chemin d'un DXF ou d'une couche de lignes avec altitudes : une seule ligne est une coupe le long de tout l'ouvrage, plusieurs en sont les arêtes.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>Places easting,northing le long de l'axe, séparées par des espaces ; par défaut la plus longue direction des blocs.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Result</source>
-      <translation>Résultat</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Epoch</source>
-      <translation>Époque</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Placement plan</source>
-      <translation>Plan de pose</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Design profile</source>
-      <translation>Profil de projet</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of the profile (m)</source>
-      <translation>Tolérance du profil (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Metres a unit may be off the design profile.</source>
-      <translation>Mètres dont un bloc peut s'écarter du profil de projet.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>outermost point of a unit</source>
-      <translation>point le plus extérieur d'un bloc</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>centre of a unit</source>
-      <translation>centre d'un bloc</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>What is judged against the design profile; both distances are written.</source>
-      <translation>Ce qui est jugé par rapport au profil de projet ; les deux distances sont écrites.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Axis of the structure</source>
-      <translation>Axe de l'ouvrage</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Judged against the profile</source>
-      <translation>Jugé par rapport au profil</translation>
-    </message>
-    <message>
       <location filename="../algorithms/crosssections.py" />
       <source>Cross-sections and crest</source>
       <translation>Coupes et crête</translation>
@@ -322,6 +222,11 @@
       <location filename="../algorithms/displacementreport.py" />
       <source>Reference of the displacements</source>
       <translation>Référence des déplacements</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Axis of the structure</source>
+      <translation>Axe de l'ouvrage</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -592,6 +497,11 @@
       <location filename="../algorithms/monitorsurvey.py" />
       <source>Load the result</source>
       <translation>Charger le résultat</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Result</source>
+      <translation>Résultat</translation>
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
@@ -1022,6 +932,96 @@
       <location filename="../algorithms/residualpoints.py" />
       <source>Point cloud with the dimensions distance (m) and unit.</source>
       <translation>Nuage de points avec les dimensions distance (m) et unit.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
+      <translation>Nom de l'époque dont les blocs sont regardés ; par défaut la dernière qui en a.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>GeoPackage written by Monitor a survey.</source>
+      <translation>GeoPackage écrit par Suivre un levé.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
+      <translation>Chemin d'un CSV unit_id,easting,northing,height des centres prévus, éventuellement qx,qy,qz,qw, ou d'une couche de points avec altitudes (FILE|layername=NAME).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of places (m)</source>
+      <translation>Tolérance des places (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be from its planned place.</source>
+      <translation>Mètres dont un bloc peut s'écarter de sa place prévue.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of turns (°)</source>
+      <translation>Tolérance des rotations (°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>Degrés dont un bloc peut être tourné par rapport à l'orientation prévue.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
+      <translation>Chemin d'un DXF ou d'une couche de lignes avec altitudes : une seule ligne est une coupe le long de tout l'ouvrage, plusieurs en sont les arêtes.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
+      <translation>Places easting,northing le long de l'axe, séparées par des espaces ; par défaut la plus longue direction des blocs.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Epoch</source>
+      <translation>Époque</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Placement plan</source>
+      <translation>Plan de pose</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Design profile</source>
+      <translation>Profil de projet</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of the profile (m)</source>
+      <translation>Tolérance du profil (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>Mètres dont un bloc peut s'écarter du profil de projet.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>outermost point of a unit</source>
+      <translation>point le plus extérieur d'un bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>centre of a unit</source>
+      <translation>centre d'un bloc</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>What is judged against the design profile; both distances are written.</source>
+      <translation>Ce qui est jugé par rapport au profil de projet ; les deux distances sont écrites.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Judged against the profile</source>
+      <translation>Jugé par rapport au profil</translation>
     </message>
     <message>
       <location filename="../algorithms/segmenttetrapods.py" />
@@ -1680,8 +1680,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
-      <translation>Fichiers LAS, LAZ ou COPC, un dossier, un nuage de points virtuel (.vpc) ou des couches de nuages de points ; coordonnées en mètres.</translation>
+      <source>LAS, LAZ, COPC, E57 or PLY files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
+      <translation>Fichiers LAS, LAZ, COPC, E57 ou PLY, un dossier, un nuage de points virtuel (.vpc) ou des couches de nuages de points ; coordonnées en mètres.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1905,8 +1905,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: no LAS or LAZ file is given.</source>
-      <translation>{where} : aucun fichier LAS ou LAZ n'est donné.</translation>
+      <source>{where}: no point cloud is given.</source>
+      <translation>{where} : aucun nuage de points n'est donné.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1925,13 +1925,13 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>LAS and LAZ ({endings})</source>
-      <translation>LAS et LAZ ({endings})</translation>
+      <source>Point clouds ({endings})</source>
+      <translation>Nuages de points ({endings})</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: the folder {path} holds no LAS or LAZ file.</source>
-      <translation>{where} : le dossier {path} ne contient aucun fichier LAS ou LAZ.</translation>
+      <source>{where}: the folder {path} holds no point cloud (LAS, LAZ, COPC, E57, PLY).</source>
+      <translation>{where} : le dossier {path} ne contient aucun nuage de points (LAS, LAZ, COPC, E57, PLY).</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2357,11 +2357,6 @@
       <location filename="../plugin/environment_task.py" />
       <source>Unpacking {file}</source>
       <translation>Décompression de {file}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/epoch_table.py" />
-      <source>Point clouds (*.las *.laz *.LAS *.LAZ *.vpc)</source>
-      <translation>Nuages de points (*.las *.laz *.LAS *.LAZ *.vpc)</translation>
     </message>
     <message>
       <location filename="../plugin/epoch_table.py" />

@@ -109,106 +109,6 @@
       <translation>断面の許容差を超えるブロック</translation>
     </message>
     <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>GeoPackage written by Monitor a survey.</source>
-      <translation>「測量のモニタリング」が書き出した GeoPackage。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
-      <translation>対象とする時期の名前。指定しなければブロックのある最新の時期。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
-      <translation>計画中心の CSV unit_id,easting,northing,height(任意で qx,qy,qz,qw)、または高さを持つ点レイヤ(FILE|layername=NAME)のパス。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of places (m)</source>
-      <translation>位置の許容差 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Metres a unit may be from its planned place.</source>
-      <translation>計画位置からの許容距離(メートル)。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of turns (°)</source>
-      <translation>回転の許容差 (°)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>計画方向からの許容回転(度)。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
-      <translation>DXF または高さを持つ線レイヤのパス。1 本の線は構造物全体に沿う横断面、複数の線はその稜線。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>軸に沿う位置 easting,northing を空白区切りで。指定しなければブロックの最長方向。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Result</source>
-      <translation>結果</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Epoch</source>
-      <translation>時期</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Placement plan</source>
-      <translation>据付計画</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Design profile</source>
-      <translation>設計断面</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of the profile (m)</source>
-      <translation>断面の許容差 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Metres a unit may be off the design profile.</source>
-      <translation>設計断面からの許容距離(メートル)。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>outermost point of a unit</source>
-      <translation>ブロックの最外点</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>centre of a unit</source>
-      <translation>ブロックの中心</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>What is judged against the design profile; both distances are written.</source>
-      <translation>設計断面に対して判定するもの。両方の距離が書き出されます。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Axis of the structure</source>
-      <translation>構造物の軸線</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Judged against the profile</source>
-      <translation>断面に対する判定対象</translation>
-    </message>
-    <message>
       <location filename="../algorithms/crosssections.py" />
       <source>Cross-sections and crest</source>
       <translation>横断面と天端</translation>
@@ -322,6 +222,11 @@
       <location filename="../algorithms/displacementreport.py" />
       <source>Reference of the displacements</source>
       <translation>変位の基準</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Axis of the structure</source>
+      <translation>構造物の軸線</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -592,6 +497,11 @@
       <location filename="../algorithms/monitorsurvey.py" />
       <source>Load the result</source>
       <translation>結果を読み込む</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Result</source>
+      <translation>結果</translation>
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
@@ -1022,6 +932,96 @@
       <location filename="../algorithms/residualpoints.py" />
       <source>Point cloud with the dimensions distance (m) and unit.</source>
       <translation>次元 distance (m) と unit を持つ点群。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
+      <translation>対象とする時期の名前。指定しなければブロックのある最新の時期。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>GeoPackage written by Monitor a survey.</source>
+      <translation>「測量のモニタリング」が書き出した GeoPackage。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
+      <translation>計画中心の CSV unit_id,easting,northing,height(任意で qx,qy,qz,qw)、または高さを持つ点レイヤ(FILE|layername=NAME)のパス。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of places (m)</source>
+      <translation>位置の許容差 (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be from its planned place.</source>
+      <translation>計画位置からの許容距離(メートル)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of turns (°)</source>
+      <translation>回転の許容差 (°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>計画方向からの許容回転(度)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
+      <translation>DXF または高さを持つ線レイヤのパス。1 本の線は構造物全体に沿う横断面、複数の線はその稜線。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
+      <translation>軸に沿う位置 easting,northing を空白区切りで。指定しなければブロックの最長方向。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Epoch</source>
+      <translation>時期</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Placement plan</source>
+      <translation>据付計画</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Design profile</source>
+      <translation>設計断面</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of the profile (m)</source>
+      <translation>断面の許容差 (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>設計断面からの許容距離(メートル)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>outermost point of a unit</source>
+      <translation>ブロックの最外点</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>centre of a unit</source>
+      <translation>ブロックの中心</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>What is judged against the design profile; both distances are written.</source>
+      <translation>設計断面に対して判定するもの。両方の距離が書き出されます。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Judged against the profile</source>
+      <translation>断面に対する判定対象</translation>
     </message>
     <message>
       <location filename="../algorithms/segmenttetrapods.py" />
@@ -1680,8 +1680,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
-      <translation>LAS、LAZ、COPC ファイル、そのフォルダ、仮想点群(.vpc)または点群レイヤ。座標はメートル。</translation>
+      <source>LAS, LAZ, COPC, E57 or PLY files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
+      <translation>LAS、LAZ、COPC、E57、PLY ファイル、そのフォルダ、仮想点群(.vpc)または点群レイヤ。座標はメートル。</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1905,8 +1905,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: no LAS or LAZ file is given.</source>
-      <translation>{where}:LAS または LAZ ファイルが指定されていません。</translation>
+      <source>{where}: no point cloud is given.</source>
+      <translation>{where}:点群が指定されていません。</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1925,13 +1925,13 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>LAS and LAZ ({endings})</source>
-      <translation>LAS と LAZ ({endings})</translation>
+      <source>Point clouds ({endings})</source>
+      <translation>点群 ({endings})</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: the folder {path} holds no LAS or LAZ file.</source>
-      <translation>{where}:フォルダ {path} に LAS または LAZ ファイルがありません。</translation>
+      <source>{where}: the folder {path} holds no point cloud (LAS, LAZ, COPC, E57, PLY).</source>
+      <translation>{where}:フォルダ {path} に点群 (LAS, LAZ, COPC, E57, PLY) がありません。</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2357,11 +2357,6 @@
       <location filename="../plugin/environment_task.py" />
       <source>Unpacking {file}</source>
       <translation>{file} を展開中</translation>
-    </message>
-    <message>
-      <location filename="../plugin/epoch_table.py" />
-      <source>Point clouds (*.las *.laz *.LAS *.LAZ *.vpc)</source>
-      <translation>点群 (*.las *.laz *.LAS *.LAZ *.vpc)</translation>
     </message>
     <message>
       <location filename="../plugin/epoch_table.py" />

@@ -109,106 +109,6 @@
       <translation>단면 허용오차를 벗어난 블록</translation>
     </message>
     <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>GeoPackage written by Monitor a survey.</source>
-      <translation>'측량 모니터링'이 쓴 GeoPackage.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
-      <translation>대상 시기의 이름. 지정하지 않으면 블록이 있는 최신 시기.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
-      <translation>계획 중심의 CSV unit_id,easting,northing,height(선택적으로 qx,qy,qz,qw) 또는 높이가 있는 점 레이어(FILE|layername=NAME)의 경로.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of places (m)</source>
-      <translation>위치 허용오차 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Metres a unit may be from its planned place.</source>
-      <translation>계획 위치로부터의 허용 거리(미터).</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of turns (°)</source>
-      <translation>회전 허용오차 (°)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>계획 방향으로부터의 허용 회전(도).</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
-      <translation>DXF 또는 높이가 있는 선 레이어의 경로. 선 하나는 구조물 전체의 횡단면, 여러 선은 그 모서리.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>축을 따라 easting,northing 위치를 공백으로 구분. 지정하지 않으면 블록의 가장 긴 방향.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Result</source>
-      <translation>결과</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Epoch</source>
-      <translation>시기</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Placement plan</source>
-      <translation>거치 계획</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Design profile</source>
-      <translation>설계 단면</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of the profile (m)</source>
-      <translation>단면 허용오차 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Metres a unit may be off the design profile.</source>
-      <translation>설계 단면으로부터의 허용 거리(미터).</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>outermost point of a unit</source>
-      <translation>블록의 가장 바깥 점</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>centre of a unit</source>
-      <translation>블록의 중심</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>What is judged against the design profile; both distances are written.</source>
-      <translation>설계 단면에 대해 판정할 대상. 두 거리 모두 기록됩니다.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Axis of the structure</source>
-      <translation>구조물의 축</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Judged against the profile</source>
-      <translation>단면에 대한 판정 대상</translation>
-    </message>
-    <message>
       <location filename="../algorithms/crosssections.py" />
       <source>Cross-sections and crest</source>
       <translation>횡단면과 마루</translation>
@@ -322,6 +222,11 @@
       <location filename="../algorithms/displacementreport.py" />
       <source>Reference of the displacements</source>
       <translation>변위의 기준</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Axis of the structure</source>
+      <translation>구조물의 축</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -592,6 +497,11 @@
       <location filename="../algorithms/monitorsurvey.py" />
       <source>Load the result</source>
       <translation>결과 불러오기</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Result</source>
+      <translation>결과</translation>
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
@@ -1022,6 +932,96 @@
       <location filename="../algorithms/residualpoints.py" />
       <source>Point cloud with the dimensions distance (m) and unit.</source>
       <translation>차원 distance (m)와 unit이 있는 점군.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
+      <translation>대상 시기의 이름. 지정하지 않으면 블록이 있는 최신 시기.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>GeoPackage written by Monitor a survey.</source>
+      <translation>'측량 모니터링'이 쓴 GeoPackage.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
+      <translation>계획 중심의 CSV unit_id,easting,northing,height(선택적으로 qx,qy,qz,qw) 또는 높이가 있는 점 레이어(FILE|layername=NAME)의 경로.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of places (m)</source>
+      <translation>위치 허용오차 (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be from its planned place.</source>
+      <translation>계획 위치로부터의 허용 거리(미터).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of turns (°)</source>
+      <translation>회전 허용오차 (°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>계획 방향으로부터의 허용 회전(도).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
+      <translation>DXF 또는 높이가 있는 선 레이어의 경로. 선 하나는 구조물 전체의 횡단면, 여러 선은 그 모서리.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
+      <translation>축을 따라 easting,northing 위치를 공백으로 구분. 지정하지 않으면 블록의 가장 긴 방향.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Epoch</source>
+      <translation>시기</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Placement plan</source>
+      <translation>거치 계획</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Design profile</source>
+      <translation>설계 단면</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of the profile (m)</source>
+      <translation>단면 허용오차 (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>설계 단면으로부터의 허용 거리(미터).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>outermost point of a unit</source>
+      <translation>블록의 가장 바깥 점</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>centre of a unit</source>
+      <translation>블록의 중심</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>What is judged against the design profile; both distances are written.</source>
+      <translation>설계 단면에 대해 판정할 대상. 두 거리 모두 기록됩니다.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Judged against the profile</source>
+      <translation>단면에 대한 판정 대상</translation>
     </message>
     <message>
       <location filename="../algorithms/segmenttetrapods.py" />
@@ -1680,8 +1680,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
-      <translation>LAS, LAZ, COPC 파일, 그 폴더, 가상 점군(.vpc) 또는 점군 레이어. 좌표는 미터.</translation>
+      <source>LAS, LAZ, COPC, E57 or PLY files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
+      <translation>LAS, LAZ, COPC, E57, PLY 파일, 그 폴더, 가상 점군(.vpc) 또는 점군 레이어. 좌표는 미터.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1905,8 +1905,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: no LAS or LAZ file is given.</source>
-      <translation>{where}: LAS 또는 LAZ 파일이 없습니다.</translation>
+      <source>{where}: no point cloud is given.</source>
+      <translation>{where}: 점군이 없습니다.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1925,13 +1925,13 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>LAS and LAZ ({endings})</source>
-      <translation>LAS 및 LAZ ({endings})</translation>
+      <source>Point clouds ({endings})</source>
+      <translation>점군 ({endings})</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: the folder {path} holds no LAS or LAZ file.</source>
-      <translation>{where}: 폴더 {path}에 LAS 또는 LAZ 파일이 없습니다.</translation>
+      <source>{where}: the folder {path} holds no point cloud (LAS, LAZ, COPC, E57, PLY).</source>
+      <translation>{where}: 폴더 {path}에 점군 (LAS, LAZ, COPC, E57, PLY)이 없습니다.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2357,11 +2357,6 @@
       <location filename="../plugin/environment_task.py" />
       <source>Unpacking {file}</source>
       <translation>{file} 푸는 중</translation>
-    </message>
-    <message>
-      <location filename="../plugin/epoch_table.py" />
-      <source>Point clouds (*.las *.laz *.LAS *.LAZ *.vpc)</source>
-      <translation>점군 (*.las *.laz *.LAS *.LAZ *.vpc)</translation>
     </message>
     <message>
       <location filename="../plugin/epoch_table.py" />

@@ -109,106 +109,6 @@
       <translation>Blocos fora da tolerância do perfil</translation>
     </message>
     <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>GeoPackage written by Monitor a survey.</source>
-      <translation>GeoPackage escrito por Monitorizar um levantamento.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
-      <translation>Nome da época cujos blocos são vistos; por omissão a última que os tem.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
-      <translation>Caminho de um CSV unit_id,easting,northing,height com os centros planeados, opcionalmente qx,qy,qz,qw, ou de uma camada de pontos com cotas (FILE|layername=NAME).</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of places (m)</source>
-      <translation>Tolerância dos lugares (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Metres a unit may be from its planned place.</source>
-      <translation>Metros a que um bloco pode estar do lugar planeado.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of turns (°)</source>
-      <translation>Tolerância das rotações (°)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>Graus que um bloco pode estar rodado em relação à orientação planeada.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
-      <translation>Caminho de um DXF ou de uma camada de linhas com cotas: uma só linha é um corte ao longo de toda a estrutura, várias são as suas arestas.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>Lugares easting,northing ao longo do eixo, separados por espaços; por omissão a direção mais longa dos blocos.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Result</source>
-      <translation>Resultado</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Epoch</source>
-      <translation>Época</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Placement plan</source>
-      <translation>Plano de colocação</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Design profile</source>
-      <translation>Perfil de projeto</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of the profile (m)</source>
-      <translation>Tolerância do perfil (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Metres a unit may be off the design profile.</source>
-      <translation>Metros a que um bloco pode estar do perfil de projeto.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>outermost point of a unit</source>
-      <translation>ponto mais exterior de um bloco</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>centre of a unit</source>
-      <translation>centro de um bloco</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>What is judged against the design profile; both distances are written.</source>
-      <translation>O que é julgado face ao perfil de projeto; ambas as distâncias são escritas.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Axis of the structure</source>
-      <translation>Eixo da estrutura</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Judged against the profile</source>
-      <translation>Julgado face ao perfil</translation>
-    </message>
-    <message>
       <location filename="../algorithms/crosssections.py" />
       <source>Cross-sections and crest</source>
       <translation>Cortes e coroamento</translation>
@@ -322,6 +222,11 @@
       <location filename="../algorithms/displacementreport.py" />
       <source>Reference of the displacements</source>
       <translation>Referência dos deslocamentos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Axis of the structure</source>
+      <translation>Eixo da estrutura</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -592,6 +497,11 @@
       <location filename="../algorithms/monitorsurvey.py" />
       <source>Load the result</source>
       <translation>Carregar o resultado</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Result</source>
+      <translation>Resultado</translation>
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
@@ -1022,6 +932,96 @@
       <location filename="../algorithms/residualpoints.py" />
       <source>Point cloud with the dimensions distance (m) and unit.</source>
       <translation>Nuvem de pontos com as dimensões distance (m) e unit.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
+      <translation>Nome da época cujos blocos são vistos; por omissão a última que os tem.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>GeoPackage written by Monitor a survey.</source>
+      <translation>GeoPackage escrito por Monitorizar um levantamento.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
+      <translation>Caminho de um CSV unit_id,easting,northing,height com os centros planeados, opcionalmente qx,qy,qz,qw, ou de uma camada de pontos com cotas (FILE|layername=NAME).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of places (m)</source>
+      <translation>Tolerância dos lugares (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be from its planned place.</source>
+      <translation>Metros a que um bloco pode estar do lugar planeado.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of turns (°)</source>
+      <translation>Tolerância das rotações (°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>Graus que um bloco pode estar rodado em relação à orientação planeada.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
+      <translation>Caminho de um DXF ou de uma camada de linhas com cotas: uma só linha é um corte ao longo de toda a estrutura, várias são as suas arestas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
+      <translation>Lugares easting,northing ao longo do eixo, separados por espaços; por omissão a direção mais longa dos blocos.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Epoch</source>
+      <translation>Época</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Placement plan</source>
+      <translation>Plano de colocação</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Design profile</source>
+      <translation>Perfil de projeto</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of the profile (m)</source>
+      <translation>Tolerância do perfil (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>Metros a que um bloco pode estar do perfil de projeto.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>outermost point of a unit</source>
+      <translation>ponto mais exterior de um bloco</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>centre of a unit</source>
+      <translation>centro de um bloco</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>What is judged against the design profile; both distances are written.</source>
+      <translation>O que é julgado face ao perfil de projeto; ambas as distâncias são escritas.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Judged against the profile</source>
+      <translation>Julgado face ao perfil</translation>
     </message>
     <message>
       <location filename="../algorithms/segmenttetrapods.py" />
@@ -1680,8 +1680,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
-      <translation>Ficheiros LAS, LAZ ou COPC, uma pasta, uma nuvem de pontos virtual (.vpc) ou camadas de nuvem de pontos; coordenadas em metros.</translation>
+      <source>LAS, LAZ, COPC, E57 or PLY files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
+      <translation>Ficheiros LAS, LAZ, COPC, E57 ou PLY, uma pasta, uma nuvem de pontos virtual (.vpc) ou camadas de nuvem de pontos; coordenadas em metros.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1905,8 +1905,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: no LAS or LAZ file is given.</source>
-      <translation>{where}: não foi indicado nenhum ficheiro LAS ou LAZ.</translation>
+      <source>{where}: no point cloud is given.</source>
+      <translation>{where}: não foi indicada nenhuma nuvem de pontos.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1925,13 +1925,13 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>LAS and LAZ ({endings})</source>
-      <translation>LAS e LAZ ({endings})</translation>
+      <source>Point clouds ({endings})</source>
+      <translation>Nuvens de pontos ({endings})</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: the folder {path} holds no LAS or LAZ file.</source>
-      <translation>{where}: a pasta {path} não contém ficheiros LAS ou LAZ.</translation>
+      <source>{where}: the folder {path} holds no point cloud (LAS, LAZ, COPC, E57, PLY).</source>
+      <translation>{where}: a pasta {path} não contém nuvens de pontos (LAS, LAZ, COPC, E57, PLY).</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2357,11 +2357,6 @@
       <location filename="../plugin/environment_task.py" />
       <source>Unpacking {file}</source>
       <translation>A descompactar {file}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/epoch_table.py" />
-      <source>Point clouds (*.las *.laz *.LAS *.LAZ *.vpc)</source>
-      <translation>Nuvens de pontos (*.las *.laz *.LAS *.LAZ *.vpc)</translation>
     </message>
     <message>
       <location filename="../plugin/epoch_table.py" />

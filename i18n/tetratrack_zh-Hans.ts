@@ -109,106 +109,6 @@
       <translation>超出断面容差的块体</translation>
     </message>
     <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>GeoPackage written by Monitor a survey.</source>
-      <translation>由“监测测量”写出的 GeoPackage。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
-      <translation>所看时期的名称;不指定则为有块体的最新时期。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
-      <translation>含计划中心的 CSV unit_id,easting,northing,height(可选 qx,qy,qz,qw)或带高程的点图层(FILE|layername=NAME)的路径。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of places (m)</source>
-      <translation>位置容差 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Metres a unit may be from its planned place.</source>
-      <translation>块体偏离计划位置的允许距离(米)。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of turns (°)</source>
-      <translation>转角容差 (°)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>块体偏离计划方位的允许转角(度)。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
-      <translation>DXF 或带高程的线图层的路径:单条线是沿整个结构的横断面,多条线是其棱线。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>沿轴线的位置 easting,northing,用空格分隔;不指定则为块体最长方向。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Result</source>
-      <translation>结果</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Epoch</source>
-      <translation>期次</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Placement plan</source>
-      <translation>安放计划</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Design profile</source>
-      <translation>设计断面</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Tolerance of the profile (m)</source>
-      <translation>断面容差 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Metres a unit may be off the design profile.</source>
-      <translation>块体偏离设计断面的允许距离(米)。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>outermost point of a unit</source>
-      <translation>块体的最外点</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>centre of a unit</source>
-      <translation>块体的中心</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>What is judged against the design profile; both distances are written.</source>
-      <translation>相对设计断面判定的对象;两种距离都会写出。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Axis of the structure</source>
-      <translation>结构轴线</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/comparison_algorithm.py" />
-      <source>Judged against the profile</source>
-      <translation>相对断面判定</translation>
-    </message>
-    <message>
       <location filename="../algorithms/crosssections.py" />
       <source>Cross-sections and crest</source>
       <translation>横断面与堤顶</translation>
@@ -322,6 +222,11 @@
       <location filename="../algorithms/displacementreport.py" />
       <source>Reference of the displacements</source>
       <translation>位移的基准</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Axis of the structure</source>
+      <translation>结构轴线</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -592,6 +497,11 @@
       <location filename="../algorithms/monitorsurvey.py" />
       <source>Load the result</source>
       <translation>加载结果</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/monitorsurvey.py" />
+      <source>Result</source>
+      <translation>结果</translation>
     </message>
     <message>
       <location filename="../algorithms/monitorsurvey.py" />
@@ -1022,6 +932,96 @@
       <location filename="../algorithms/residualpoints.py" />
       <source>Point cloud with the dimensions distance (m) and unit.</source>
       <translation>带维度 distance (m) 和 unit 的点云。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
+      <translation>所看时期的名称;不指定则为有块体的最新时期。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>GeoPackage written by Monitor a survey.</source>
+      <translation>由“监测测量”写出的 GeoPackage。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points with heights (FILE|layername=NAME).</source>
+      <translation>含计划中心的 CSV unit_id,easting,northing,height(可选 qx,qy,qz,qw)或带高程的点图层(FILE|layername=NAME)的路径。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of places (m)</source>
+      <translation>位置容差 (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be from its planned place.</source>
+      <translation>块体偏离计划位置的允许距离(米)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of turns (°)</source>
+      <translation>转角容差 (°)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>块体偏离计划方位的允许转角(度)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
+      <translation>DXF 或带高程的线图层的路径:单条线是沿整个结构的横断面,多条线是其棱线。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
+      <translation>沿轴线的位置 easting,northing,用空格分隔;不指定则为块体最长方向。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Epoch</source>
+      <translation>期次</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Placement plan</source>
+      <translation>安放计划</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Design profile</source>
+      <translation>设计断面</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Tolerance of the profile (m)</source>
+      <translation>断面容差 (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>块体偏离设计断面的允许距离(米)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>outermost point of a unit</source>
+      <translation>块体的最外点</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>centre of a unit</source>
+      <translation>块体的中心</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>What is judged against the design profile; both distances are written.</source>
+      <translation>相对设计断面判定的对象;两种距离都会写出。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Judged against the profile</source>
+      <translation>相对断面判定</translation>
     </message>
     <message>
       <location filename="../algorithms/segmenttetrapods.py" />
@@ -1680,8 +1680,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
-      <translation>LAS、LAZ 或 COPC 文件、其文件夹、虚拟点云(.vpc)或点云图层;坐标单位为米。</translation>
+      <source>LAS, LAZ, COPC, E57 or PLY files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres.</source>
+      <translation>LAS、LAZ、COPC、E57 或 PLY 文件、其文件夹、虚拟点云(.vpc)或点云图层;坐标单位为米。</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1905,8 +1905,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: no LAS or LAZ file is given.</source>
-      <translation>{where}:没有给出 LAS 或 LAZ 文件。</translation>
+      <source>{where}: no point cloud is given.</source>
+      <translation>{where}:没有给出点云。</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1925,13 +1925,13 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>LAS and LAZ ({endings})</source>
-      <translation>LAS 和 LAZ ({endings})</translation>
+      <source>Point clouds ({endings})</source>
+      <translation>点云 ({endings})</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: the folder {path} holds no LAS or LAZ file.</source>
-      <translation>{where}:文件夹 {path} 中没有 LAS 或 LAZ 文件。</translation>
+      <source>{where}: the folder {path} holds no point cloud (LAS, LAZ, COPC, E57, PLY).</source>
+      <translation>{where}:文件夹 {path} 中没有点云 (LAS, LAZ, COPC, E57, PLY)。</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2357,11 +2357,6 @@
       <location filename="../plugin/environment_task.py" />
       <source>Unpacking {file}</source>
       <translation>正在解压 {file}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/epoch_table.py" />
-      <source>Point clouds (*.las *.laz *.LAS *.LAZ *.vpc)</source>
-      <translation>点云 (*.las *.laz *.LAS *.LAZ *.vpc)</translation>
     </message>
     <message>
       <location filename="../plugin/epoch_table.py" />

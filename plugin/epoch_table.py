@@ -25,12 +25,13 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ..algorithms.support.inputs import POINT_CLOUD_ENDINGS, SCAN_ENDINGS, tiles_in
 from ..algorithms.support.translation import tr
 from .epoch_rows import FILES, EpochRow, tiles_text
 
 COLUMNS = ("label", "time", "tiles", "points", "density", "crs", *FILES)
 TIME_PATTERN = "yyyy-MM-dd HH:mm"
-ENDINGS = (".las", ".laz")
+CLOUDS = " ".join(f"*{ending} *{ending.upper()}" for ending in (*POINT_CLOUD_ENDINGS, *SCAN_ENDINGS, ".vpc"))
 TIME_WIDTH = 175
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#AA4499", "#E69F00", "#56B4E9")
 """Of the epochs, in the table and on the map (Okabe and Ito, 2008)."""
@@ -212,15 +213,16 @@ class EpochTable(QWidget):
         self._change(place, replace(row, files=files))
 
     def _ask_files(self, place: int) -> None:
-        names, _ = QFileDialog.getOpenFileNames(self, tr("Tiles"), self._folder(place), tr("Point clouds (*.las *.laz *.LAS *.LAZ *.vpc)"))
+        names, _ = QFileDialog.getOpenFileNames(
+            self, tr("Tiles"), self._folder(place), tr("Point clouds ({endings})").format(endings=CLOUDS)
+        )
         if names:
             self.set_tiles(place, tuple(names))
 
     def _ask_folder(self, place: int) -> None:
         name = QFileDialog.getExistingDirectory(self, tr("Folder of tiles"), self._folder(place))
         if name:
-            inside = sorted(str(path) for path in Path(name).iterdir() if path.suffix.lower() in ENDINGS)
-            self.set_tiles(place, tuple(inside) or (name,))
+            self.set_tiles(place, tuple(tiles_in(Path(name))) or (name,))
 
     def _folder(self, place: int) -> str:
         tiles = self._rows[place].tiles

@@ -68,8 +68,10 @@ def _run(quiet: bool, log_file: Path | None, json_progress: bool, step: Callable
 @app.command()
 def run(
     survey: Annotated[
-        Path,
-        typer.Argument(metavar="SURVEY.toml|FOLDER", help="What was surveyed, or a folder of tiles", show_default=False),
+        list[str],
+        typer.Argument(
+            metavar="SURVEY.toml|FOLDER...", help="What was surveyed, or folders, tiles or patterns of them", show_default=False
+        ),
     ],
     output: Output,
     crs: DraftCrs = None,
@@ -85,11 +87,12 @@ def run(
     """All steps: tiles to units, feature points, registration and displacements."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.data.file_patterns import given_paths
         from ..core.pipeline.new_survey import Given, given_survey
         from ..core.pipeline.run_options import RunOptions
         from ..core.pipeline.whole_survey import run_survey
 
-        found = given_survey(survey, Given(height=unit_height, crs=crs), output, feedback)
+        found = given_survey(given_paths(survey), Given(height=unit_height, crs=crs), output, feedback)
         return run_survey(found, output, RunOptions(workers, scheduler, resume, seed), feedback)
 
     _run(quiet, log_file, json_progress, step)
@@ -97,7 +100,9 @@ def run(
 
 @app.command()
 def init(
-    folders: Annotated[list[Path] | None, typer.Argument(metavar="FOLDER...", help="Folders of tiles", show_default=False)] = None,
+    given_folders: Annotated[
+        list[str] | None, typer.Argument(metavar="FOLDER...", help="Folders, tiles or patterns of them", show_default=False)
+    ] = None,
     crs: DraftCrs = None,
     unit_height: DraftHeight = None,
     name: Annotated[str | None, typer.Option("--name", help="Name of the survey; default the folder's")] = None,
@@ -114,15 +119,16 @@ def init(
     """
 
     def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.data.file_patterns import given_paths
         from ..core.data.survey_draft import draft_record, draft_text
         from ..core.pipeline.given_epochs import read_given_epochs
         from ..core.pipeline.new_survey import Given, draft_of_rows, draft_survey, write_draft
 
-        given = Given(height=unit_height, crs=crs, name=name)
+        given, folders = Given(height=unit_height, crs=crs, name=name), given_paths(given_folders or [])
         if epochs is not None:
             draft = draft_of_rows(read_given_epochs(epochs), given, feedback, size=size)
         else:
-            draft = draft_survey(folders or [], given, feedback, size=size)
+            draft = draft_survey(folders, given, feedback, size=size)
         for warning in (*draft.questions, *draft.warnings):
             feedback.warning(warning)
         found = {"questions": len(draft.questions)} | ({"draft": draft_record(draft)} if json_progress else {})
@@ -139,7 +145,9 @@ def init(
 
 @app.command()
 def inspect(
-    tiles: Annotated[list[Path], typer.Argument(metavar="TILES...", help="LAS/LAZ/COPC files, or a survey.toml", show_default=False)],
+    tiles: Annotated[
+        list[str], typer.Argument(metavar="TILES...", help="LAS, LAZ, COPC, E57, PLY or VPC files, or a survey.toml", show_default=False)
+    ],
     output: Annotated[Path | None, typer.Option("--output", "-o", help="GeoPackage for a layer of the tiles' extents")] = None,
     quiet: Quiet = False,
     log_file: LogFile = None,
@@ -148,11 +156,13 @@ def inspect(
     """Verdict on every input: tiles with extent, CRS, points; tables and epochs against each other. Exit code 2 if a run would refuse."""
 
     def step(console: Console) -> dict[str, Any]:
+        from ..core.data.file_patterns import given_paths
         from ..core.data.survey import read_survey
+        from ..core.data.virtual_clouds import expanded
         from ..core.pipeline.inspection import run_inspect
 
         feedback = Feedback(console.progress, console.info, console.warning)
-        inputs = [read_survey(path) if path.suffix.lower() == ".toml" else path for path in tiles]
+        inputs = [read_survey(path) if path.suffix.lower() == ".toml" else path for path in expanded(given_paths(tiles))]
         outputs, error = run_inspect(inputs, output, feedback)
         if error is not None:
             console.result(outputs)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import fnmatch
 import json
 import re
 from collections.abc import Iterable
@@ -50,6 +51,8 @@ UNIT, HEIGHT, RADIUS, GRADIENT, LEG_LENGTH, OPENING, CALIBRATE = (
 AREA, STABLE_AREAS, CONTROL, TARGETS, CHECK, WORKERS = "AREA", "STABLE_AREAS", "CONTROL", "TARGETS", "CHECK", "WORKERS"
 FRAME = "FRAME"
 POINT_CLOUD_ENDINGS = (".las", ".laz")
+SCAN_ENDINGS = (".e57", ".ply")
+"""Read by way of a copy; in a folder they count where no tiles stand beside them."""
 OPENINGS = ("tetrahedral", "paper")
 FRAMES = ("auto", "rigid", "elastic")
 """Choices of ``frame`` in survey.toml, in the order in which they are offered; a test compares them with the engine's."""
@@ -165,8 +168,8 @@ class TilesParameter(QgsProcessingParameterMultipleLayers):
 
     def createFileFilter(self) -> str:
         """What *Add File(s)* and *Add Directory* of the parameter's window take: QGIS without PDAL would offer COPC alone."""
-        tiles = " ".join(f"*{ending} *{ending.upper()}" for ending in POINT_CLOUD_ENDINGS)
-        return ";;".join((tr("LAS and LAZ ({endings})").format(endings=tiles), tr("Virtual point clouds (*.vpc)"), tr("All files (*.*)")))
+        tiles = " ".join(f"*{ending} *{ending.upper()}" for ending in (*POINT_CLOUD_ENDINGS, *SCAN_ENDINGS))
+        return ";;".join((tr("Point clouds ({endings})").format(endings=tiles), tr("Virtual point clouds (*.vpc)"), tr("All files (*.*)")))
 
     def valueAsPythonString(self, value: Any, context: QgsProcessingContext) -> str:
         """The files as the history writes them down: QGIS keeps those only that it can open itself."""
@@ -211,7 +214,9 @@ def add_tiles(algorithm: TetratrackAlgorithm, *, name: str = TILES, label: str =
     """Point cloud of one epoch: files, a folder, a virtual point cloud or layers."""
     algorithm.add(
         TilesParameter(name, label or tr("Point cloud tiles")),
-        tr("LAS, LAZ or COPC files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres."),
+        tr(
+            "LAS, LAZ, COPC, E57 or PLY files, a folder of them, a virtual point cloud (.vpc) or point cloud layers; coordinates in metres."
+        ),
     )
 
 
@@ -375,7 +380,7 @@ def tile_paths(value: Any, context: QgsProcessingContext, where: str) -> list[st
     for item in value if isinstance(value, list | tuple) else [value]:
         found += _files_of(item, context, where)
     if not found:
-        raise QgsProcessingException(tr("{where}: no LAS or LAZ file is given.").format(where=where))
+        raise QgsProcessingException(tr("{where}: no point cloud is given.").format(where=where))
     return list(dict.fromkeys(found))
 
 
@@ -405,21 +410,36 @@ def tiles_override(value: Any, context: QgsProcessingContext) -> str:
     return crs_text(changed.crs())
 
 
+def tiles_in(folder: Path) -> list[str]:
+    """Point clouds of a folder: its tiles, or scans where it has none."""
+    for endings in (POINT_CLOUD_ENDINGS, SCAN_ENDINGS):
+        inside = sorted(str(path) for path in folder.iterdir() if path.suffix.lower() in endings)
+        if inside:
+            return inside
+    return []
+
+
 def _files_of(item: Any, context: QgsProcessingContext, where: str) -> list[str]:
     layer = item if isinstance(item, QgsMapLayer) else _project_layer(str(item or ""), context)
     text = layer.source() if layer is not None else str(item or "")
     if not text:
         return []
     path = Path(text.split("|")[0])
+    quoted = re.findall(r'"([^"]+)"', text) if layer is None and not path.exists() else []
+    if quoted:
+        return [file for name in quoted for file in _files_of(name, context, where)]
     if path.is_dir():
-        inside = sorted(str(p) for p in path.iterdir() if p.suffix.lower() in POINT_CLOUD_ENDINGS)
+        inside = tiles_in(path)
         if not inside:
-            raise QgsProcessingException(tr("{where}: the folder {path} holds no LAS or LAZ file.").format(where=where, path=path))
+            raise QgsProcessingException(
+                tr("{where}: the folder {path} holds no point cloud (LAS, LAZ, COPC, E57, PLY).").format(where=where, path=path)
+            )
         return inside
     if path.suffix.lower() == ".vpc" and path.is_file():
         return _virtual_point_cloud(path, where)
     if any(character in path.name for character in "*?") and path.parent.is_dir():
-        return sorted(str(p) for p in path.parent.glob(path.name))
+        matches = re.compile(fnmatch.translate(path.name), re.IGNORECASE).match
+        return sorted(str(p) for p in path.parent.iterdir() if matches(p.name))
     if not path.is_file():
         raise QgsProcessingException(tr("{where}: there is no file or layer {path}.").format(where=where, path=text))
     return [str(path)]
@@ -434,10 +454,12 @@ def _project_layer(text: str, context: QgsProcessingContext) -> QgsMapLayer | No
 def _virtual_point_cloud(path: Path, where: str) -> list[str]:
     try:
         features = json.loads(path.read_text(encoding="utf-8"))["features"]
-        links = [asset["href"] for feature in features for asset in feature["assets"].values()]
+        links = [
+            asset["href"] for feature in features for asset in feature["assets"].values() if "overview" not in (asset.get("roles") or ())
+        ]
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         raise QgsProcessingException(tr("{where}: {path} is not a virtual point cloud.").format(where=where, path=path)) from error
-    return [str((path.parent / link).resolve()) for link in links if Path(link).suffix.lower() in POINT_CLOUD_ENDINGS]
+    return [str((path.parent / link).resolve()) for link in links]
 
 
 def unit_values(algorithm: TetratrackAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import fnmatch
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 MAGIC = re.compile(r"[*?\[]")
@@ -44,6 +44,27 @@ def matching_files(base: Path, pattern: str) -> list[Path]:
     if not found and "\\" in pattern and os.sep == "/":
         found = _search(base, pattern.replace("\\", "/"))
     return found
+
+
+def given_paths(texts: Iterable[str | Path]) -> list[Path]:
+    """Paths of what a user gives: a file or folder, a pattern, or a list as windows write it (``"a.laz" "b.laz"``, or parted by ``;``).
+
+    What names nothing stays as it is, for whoever looks for it to say so.
+    """
+    found: dict[Path, None] = {}
+    for given in texts:
+        text = str(given)
+        if os.path.lexists(text):
+            found[Path(text)] = None
+            continue
+        parts = re.findall(r'"([^"]+)"', text) or text.split(";")
+        for part in (part.strip() for part in parts if part.strip()):
+            try:
+                matches = matching_files(Path.cwd(), part) if MAGIC.search(part) and not os.path.lexists(part) else []
+            except (BrokenLink, OSError, ValueError):
+                matches = []
+            found |= dict.fromkeys(matches or [Path(part)])
+    return list(found)
 
 
 def _search(base: Path, pattern: str) -> list[Path]:

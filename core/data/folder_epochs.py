@@ -10,11 +10,16 @@ from pathlib import Path
 
 from ..common.errors import InputError
 from .dates_in_names import DAY, NamedDate, date_in_name
+from .other_clouds import ENDINGS as OTHER_ENDINGS
 from .tile_dates import TileDates, tile_dates
 from .tiles import TileInfo, inspect_tile
+from .virtual_clouds import ENDING as VIRTUAL
+from .virtual_clouds import expanded
 
 ENDINGS = (".las", ".laz")
-"""Endings of point clouds, in any case; COPC ends in .copc.laz."""
+"""Endings of tiles, in any case; COPC ends in .copc.laz."""
+CLOUDS = (*ENDINGS, *OTHER_ENDINGS, VIRTUAL)
+"""Endings of all files that hold or name points."""
 SAME_GROUND = 0.5
 """Share of the smaller extent that two groups of tiles must have in common to be two looks at the same ground."""
 ONE_EPOCH_DAYS = 2
@@ -73,7 +78,9 @@ class FoundEpoch:
 
 
 def find_tiles(roots: Iterable[Path], progress: Callable[[float, str], None] = lambda fraction, message: None) -> list[FoundTile]:
-    """Headers and dates of all point clouds in folders, searched to the bottom; files may be given as well.
+    """Headers and dates of all point clouds in folders, searched to the bottom; files may be given as well, virtual point clouds too.
+
+    E57 and PLY count in folders without LAS or LAZ alone: beside tiles they are what these were made from, or meshes.
 
     Raises
     ------
@@ -83,13 +90,15 @@ def find_tiles(roots: Iterable[Path], progress: Callable[[float, str], None] = l
     places: dict[Path, Path] = {}
     for root in roots:
         if not root.exists():
-            raise InputError("does not exist", source=root, remedy="Give the folder that holds your LAS, LAZ or COPC tiles.")
+            raise InputError(
+                "does not exist", source=root, remedy="Give your tiles (LAS, LAZ, COPC, E57, PLY), or the folder that holds them."
+            )
         if root.is_file():
-            places.setdefault(root.resolve(), root.absolute().parent)
+            places |= {path: path.parent for path in expanded([root.absolute()]) if path not in places}
             continue
-        found = sorted(path for path in root.rglob("*") if path.suffix.lower() in ENDINGS and path.is_file() and not _hidden(path, root))
+        found = _clouds_in(root)
         if not found:
-            raise InputError("holds no LAS, LAZ or COPC file", source=root, remedy=_what_else(root))
+            raise InputError("holds no point cloud (LAS, LAZ, COPC, E57, PLY)", source=root, remedy=_what_else(root))
         for path in found:
             places.setdefault(path.absolute(), root.absolute())
     out = []
@@ -127,13 +136,26 @@ def share_in_common(a: tuple[float, float, float, float], b: tuple[float, float,
     return max(width, 0.0) * max(depth, 0.0) / smaller if smaller > 0 else 0.0
 
 
+def _clouds_in(root: Path) -> list[Path]:
+    """Point clouds in a folder and below, sorted."""
+    files = [path for path in sorted(root.rglob("*")) if path.is_file() and not _hidden(path, root)]
+    tiles = [path for path in files if path.suffix.lower() in ENDINGS]
+    with_tiles = {path.parent for path in tiles}
+    others = [path for path in files if path.suffix.lower() in OTHER_ENDINGS and path.parent not in with_tiles]
+    virtual = [path for path in files if path.suffix.lower() == VIRTUAL]
+    named = {tile.resolve(): tile for tile in expanded(virtual)}
+    return sorted(
+        [*tiles, *others, *(tile for place, tile in named.items() if place not in {path.resolve() for path in (*tiles, *others)})]
+    )
+
+
 def _hidden(path: Path, root: Path) -> bool:
     return any(part.startswith(".") for part in path.relative_to(root).parts)
 
 
 def _what_else(root: Path) -> str:
     endings = {path.suffix.lower() for path in root.rglob("*") if path.is_file()}
-    others = sorted(endings & {".e57", ".ply", ".xyz", ".pts", ".ptx", ".pcd", ".zip", ".rcp", ".rcs"})
+    others = sorted(endings & {".xyz", ".pts", ".ptx", ".pcd", ".zip", ".rcp", ".rcs"})
     return f"It holds {', '.join(others)}: export them as LAZ." if others else "Give the folder that holds your tiles."
 
 

@@ -61,7 +61,7 @@ def write_with_dimension(source: Path, target: Path, dimension: Dimension, value
     described = _described(header, dimension)
     try:
         with temporary_beside(target.absolute()) as temporary:
-            with source.open("rb") as original, temporary.open("wb") as copy:
+            with header.stored.open("rb") as original, temporary.open("wb") as copy:
                 count = _copy(header, original, copy, described, values)
             replace_durably(temporary, target.absolute())
         waves = source.with_suffix(".wdp")

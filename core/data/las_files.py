@@ -18,6 +18,7 @@ import numpy as np
 
 from ..common.arrays import FloatArray
 from ..common.errors import InputError, TetratrackError
+from .other_clouds import as_las
 
 CHUNK_POINTS = 1_000_000
 """Points decompressed at a time; bounds memory whatever the tile's size."""
@@ -53,8 +54,10 @@ class LasHeader:
     ----------
     path
         The file.
+    stored
+        Where its bytes are read: the file itself, or the copy as LAZ of an E57 or PLY.
     size
-        Its bytes.
+        Bytes of that.
     version
         As written, "1.4".
     header_size, data_offset, record_length, point_format, compressed, count
@@ -72,6 +75,7 @@ class LasHeader:
     """
 
     path: Path
+    stored: Path
     size: int
     version: str
     header_size: int
@@ -104,7 +108,7 @@ class LasHeader:
         for record in self.records:
             if (record.user_id, record.record_id) == (user_id, record_id) and record.length <= MOST_RECORD_BYTES:
                 try:
-                    with self.path.open("rb") as stream:
+                    with self.stored.open("rb") as stream:
                         stream.seek(record.offset)
                         return stream.read(record.length)
                 except OSError as error:
@@ -124,19 +128,21 @@ def read_header(path: Path) -> LasHeader:
         In one sentence.
     """
     try:
-        size = path.stat().st_size
-        with path.open("rb") as stream:
-            return _parsed(path, size, stream)
+        stored = as_las(path)
+        with stored.open("rb") as stream:
+            return _parsed(path, stored, stored.stat().st_size, stream)
     except OSError as error:
         raise unreadable(path, error) from error
     except struct.error as error:
         raise InputError("has a damaged or truncated header", source=path, remedy=REMEDY_DAMAGED) from error
 
 
-def _parsed(path: Path, size: int, stream: BinaryIO) -> LasHeader:
+def _parsed(path: Path, stored: Path, size: int, stream: BinaryIO) -> LasHeader:
     head = stream.read(375)
     if len(head) < 227 or head[:4] != b"LASF":
-        raise InputError("is empty" if size == 0 else "is not a LAS or LAZ file", source=path, remedy="Give LAS, LAZ or COPC point clouds.")
+        raise InputError(
+            "is empty" if size == 0 else "is not a LAS or LAZ file", source=path, remedy="Give LAS, LAZ, COPC, E57 or PLY point clouds."
+        )
     major, minor = head[24], head[25]
     header_size, data_offset, vlrs = struct.unpack_from("<HII", head, 94)
     point_format, length, legacy_count = struct.unpack_from("<BHI", head, 104)
@@ -183,6 +189,7 @@ def _parsed(path: Path, size: int, stream: BinaryIO) -> LasHeader:
         )
     return LasHeader(
         path=path,
+        stored=stored,
         size=size,
         version=f"{major}.{minor}",
         header_size=header_size,
@@ -287,7 +294,7 @@ def open_points(header: LasHeader, *, everything: bool = False) -> Any:
     wanted = laspy.DecompressionSelection
     some = wanted.XY_RETURNS_CHANNEL | wanted.Z | wanted.CLASSIFICATION | wanted.FLAGS | wanted.POINT_SOURCE_ID | wanted.GPS_TIME
     try:
-        source: Any = io.BufferedReader(_Patched(header.path, header.patches)) if header.patches else str(header.path)
+        source: Any = io.BufferedReader(_Patched(header.stored, header.patches)) if header.patches else str(header.stored)
         return laspy.open(
             source,
             laz_backend=laspy.LazBackend.Lazrs,

@@ -8,8 +8,6 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import io
-import os
-import sys
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -20,6 +18,7 @@ from ..common.arrays import FloatArray
 from ..common.atomic_files import temporary_beside
 from ..common.errors import OutputError
 from ..common.software import code_fingerprint
+from ..common.user_cache import cache_folder
 from .occupancy import Occupancy
 
 MOST_FILES = 4000
@@ -77,14 +76,12 @@ def store(key: str, scan: Scan) -> None:
 
 @cache
 def _folder() -> Path | None:
-    """Folder of the memory, made if need be and tidied; None where there can be none."""
-    home = os.environ.get("XDG_CACHE_HOME") or (os.environ.get("LOCALAPPDATA") if sys.platform == "win32" else None)
+    """Folder of the memory, tidied; None where there can be none."""
+    folder = cache_folder("tiles")
     try:
-        folder = (Path(home) if home else Path.home() / ".cache") / "tetratrack" / "tiles"
-        folder.mkdir(parents=True, exist_ok=True)
-        files = sorted(folder.glob("*.npz"), key=lambda path: path.stat().st_mtime)
+        files = sorted(folder.glob("*.npz"), key=lambda path: path.stat().st_mtime) if folder else []
         for old in files[:-MOST_FILES]:
             old.unlink()
-    except (OSError, RuntimeError):
+    except OSError:
         return None
-    return folder if os.access(folder, os.W_OK) else None
+    return folder

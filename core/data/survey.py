@@ -19,6 +19,7 @@ from .crs import LOCAL, check_survey_crs
 from .file_patterns import MAGIC, BrokenLink, existing_path, matching_files
 from .mould_files import moulded
 from .survey_keys import REPEATED, REQUIRED, SECTIONS, unit_from_keys
+from .virtual_clouds import expanded
 
 Ring = tuple[tuple[float, float], ...]
 
@@ -362,7 +363,7 @@ class _Reader:
                 if "[" in pattern:
                     remedy += " A sign in [ ] stands for one of those within; write [[] for a bracket itself."
                 raise self._error(section, index, name, f"{name}: {'no file matches' if magic else 'there is no file'} {pattern}", remedy)
-            found |= dict.fromkeys(matches)
+            found |= dict.fromkeys(expanded(matches))
         return tuple(sorted(found))
 
     def _check_signs(self, section: str, index: int, name: str, value: str) -> None:

@@ -106,7 +106,10 @@ SECTIONS: dict[str, dict[str, Key]] = {
         "label": Key("text", "name of the epoch in all layers", '"2025-03-14"', required=True),
         "time": Key("time", "time of the survey with its time zone (Z is UTC)", "2025-03-14T02:30:00Z", required=True),
         "tiles": Key(
-            "files", "LAS/LAZ/COPC files: path, pattern or list, relative to this file", '"tiles/2025-03-14/*.laz"', required=True
+            "files",
+            "LAS, LAZ, COPC, E57, PLY or VPC files: path, pattern or list, relative to this file",
+            '"tiles/2025-03-14/*.laz"',
+            required=True,
         ),
         "tiles_crs": Key(
             "text", "CRS of the tiles' coordinates where their header declares none or a wrong one: it overrules the header", '"EPSG:32650"'

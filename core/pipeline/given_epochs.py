@@ -29,7 +29,7 @@ def read_given_epochs(path: Path) -> list[GivenEpoch]:
 def _epoch(row: dict[str, Any], number: int) -> GivenEpoch:
     tiles = tuple(Path(tile) for tile in row["tiles"])
     if not tiles:
-        raise InputError("has no tiles", where=f"epoch in row {number}", remedy="Choose its LAS, LAZ or COPC files.")
+        raise InputError("has no tiles", where=f"epoch in row {number}", remedy="Choose its LAS, LAZ, COPC, E57 or PLY files.")
     stated = str(row.get("time") or "")
     time = None
     if stated:

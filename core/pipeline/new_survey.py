@@ -16,7 +16,7 @@ from ..common.atomic_files import replace_durably, temporary_beside
 from ..common.errors import CrsError, InputError, OutputError
 from ..common.feedback import Feedback
 from ..data.crs import LOCAL, check_survey_crs
-from ..data.folder_epochs import FoundEpoch, FoundTile, find_tiles, group_epochs, share_in_common
+from ..data.folder_epochs import CLOUDS, FoundEpoch, FoundTile, find_tiles, group_epochs, share_in_common
 from ..data.recognised_tables import FoundTable, Role, assign, find_tables, recognise
 from ..data.survey import Ring, Survey, read_survey
 from ..data.survey_draft import FIRST_LINE, DraftEpoch, DraftUnit, SurveyDraft, draft_text
@@ -159,8 +159,9 @@ def _counted(count: int, what: str) -> str:
     return f"{count} {what}{'' if count == 1 else 's'}"
 
 
-def _name(folders: Sequence[Path]) -> str:
-    folder = folders[0].resolve()
+def _name(places: Sequence[Path]) -> str:
+    first = places[0].resolve()
+    folder = first.parent if first.is_file() else first
     return folder.parent.name if folder.name.lower() in PLAIN_NAMES else folder.name
 
 
@@ -395,35 +396,39 @@ def write_draft(draft: SurveyDraft, path: Path) -> None:
         replace_durably(temporary, path)
 
 
-def given_survey(path: Path, given: Given, output: Path, feedback: Feedback) -> Survey:
-    """The survey that a file describes, or that a folder holds; the draft of a folder is written beside the output.
+def given_survey(places: Sequence[Path], given: Given, output: Path, feedback: Feedback) -> Survey:
+    """The survey that a file describes, or that folders and tiles make; the draft of these is written beside the output.
 
     Raises
     ------
     InputError
-        The file is wrong, or the folder leaves something open.
+        The file is wrong, or the tiles leave something open.
     """
-    if path.is_dir():
-        return survey_of_folder(path, given, output.with_suffix(".toml"), feedback.part(0, 0.05))
+    first = places[0]
+    if len(places) > 1 or first.is_dir() or first.suffix.lower() in CLOUDS:
+        return survey_of_tiles(places, given, output.with_suffix(".toml"), feedback.part(0, 0.05))
     if given.height is not None or given.crs is not None:
-        raise InputError("--crs and --height are for folders", source=path, remedy="Write them into the file.")
-    return read_survey(path)
+        raise InputError("--crs and --height are for folders", source=first, remedy="Write them into the file.")
+    return read_survey(first)
 
 
-def survey_of_folder(folder: Path, given: Given, target: Path, feedback: Feedback) -> Survey:
-    """The survey of a folder: its own survey.toml, or a draft that needs no asking, written to ``target``.
+def survey_of_tiles(places: Sequence[Path], given: Given, target: Path, feedback: Feedback) -> Survey:
+    """The survey of folders and tiles: a folder's own survey.toml, or a draft that needs no asking, written to ``target``.
 
     Raises
     ------
     InputError
         The files leave something open.
     """
-    own = folder / "survey.toml"
-    if own.is_file():
+    own = places[0] / "survey.toml"
+    if len(places) == 1 and own.is_file():
         feedback.info(f"taking {own}")
         return read_survey(own)
-    draft = draft_survey([folder], given, feedback)
-    need_no_asking(draft, folder)
+    stated = next((place for place in places if place.suffix.lower() == ".toml"), None)
+    if stated is not None:
+        raise InputError("is a survey among other inputs", source=stated, remedy="Give the survey file alone, or tiles and folders.")
+    draft = draft_survey(places, given, feedback)
+    need_no_asking(draft, places[0])
     for warning in draft.warnings:
         feedback.warning(warning)
     write_draft(draft, target)

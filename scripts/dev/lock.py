@@ -25,8 +25,8 @@ ROOT = Path(__file__).resolve().parents[2]
 LOCK = ROOT / "requirements-lock.txt"
 ENGINE_LOCK = ROOT / "requirements-engine.txt"
 LICENCES = ROOT / "docs" / "licences.md"
-EXTRAS = ("pdf", "model")
-"""Optional libraries that the engine's environment has: reports as PDF, models as DXF."""
+EXTRAS = ("pdf", "model", "e57")
+"""Optional libraries that the engine's environment has: reports as PDF, models as DXF, scans as E57."""
 PYTHONS = ("3.11", "3.12", "3.13")
 GLIBC = (35, 41)
 """Minor versions of the C library (2.35 of Ubuntu 22.04, 2.41 of Debian 13): a newer one may be offered another file."""

@@ -10,9 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import open3d
 import pytest
 from las_files import grid_points, write_las
 from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.tiles import inspect_tile, read_points
 from tetratrack.scripts.cli import app
 from typer.testing import CliRunner
 
@@ -136,6 +138,39 @@ def test_no_units_says_why(tmp_path: Path) -> None:
     text, said = _init(tmp_path)
     assert "# height" in text
     assert "400 points" in said
+
+
+def test_scans_without_a_crs_make_a_survey_once_it_is_given(tmp_path: Path) -> None:
+    for day in ("2024-04-09", "2024-10-09"):
+        (tmp_path / day).mkdir()
+        open3d.t.io.write_point_cloud(tmp_path / day / "wall.PLY", open3d.t.geometry.PointCloud(open3d.core.Tensor(grid_points())))
+    _, said = _init(tmp_path, "--height", 2.3)
+    assert "declare no CRS: give it with --crs" in said
+    text, _ = _init(f'"{tmp_path / "2024-04-09"}" "{tmp_path / "2024-10-09"}"', "--height", 2.3, "--crs", "EPSG:32650")
+    (tmp_path / "survey.toml").write_text(text, encoding="utf-8")
+    survey = read_survey(tmp_path / "survey.toml")
+    assert [(epoch.label, epoch.tiles[0].name, epoch.undeclared_crs) for epoch in survey.epochs] == [
+        ("2024-04-09", "wall.PLY", "EPSG:32650"),
+        ("2024-10-09", "wall.PLY", "EPSG:32650"),
+    ]
+
+
+def test_points_of_the_buffers_of_tiles_count_once(tmp_path: Path) -> None:
+    points = grid_points()
+    for name, part in (("a_20240409.LAZ", points[:300]), ("b_20240409.laz", points[200:])):
+        write_las(tmp_path / name, part)
+    text, _ = _init(tmp_path / "*.laz", "--height", 2.3)
+    (tmp_path / "survey.toml").write_text(text, encoding="utf-8")
+    survey = read_survey(tmp_path / "survey.toml")
+    tiles = [inspect_tile(path, survey.crs) for path in survey.epochs[0].tiles]
+    assert sum(tile.points for tile in tiles) == len(points) + 100
+    assert len(read_points(tiles, survey.crs)) == len(points)
+
+
+def test_a_survey_among_tiles_is_refused(tmp_path: Path) -> None:
+    result = CliRunner().invoke(app, ["run", str(TINY / "survey.toml"), str(TINY / "tiles"), "--output", str(tmp_path / "result.gpkg")])
+    assert result.exit_code == 2
+    assert "Give the survey file alone" in result.stderr
 
 
 @pytest.mark.slow

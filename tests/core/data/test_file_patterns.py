@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from crooked_las import write_survey
 from tetratrack.core.common.errors import InputError
-from tetratrack.core.data.file_patterns import BrokenLink, existing_path, matching_files
+from tetratrack.core.data.file_patterns import BrokenLink, existing_path, given_paths, matching_files
 from tetratrack.core.data.survey import read_survey
 
 
@@ -68,3 +68,18 @@ def test_brackets_and_backslashes_are_explained(folder: Path) -> None:
     # \n is a line break to TOML, and no error
     with pytest.raises(InputError, match=r"holds a control character. In double quotes a backslash"):
         read_survey(write_survey(folder, "tiles\\north.laz"))
+
+
+@pytest.mark.parametrize(
+    ("texts", "names"),
+    [
+        (["tiles [v2]"], ["tiles [v2]"]),
+        (["tiles [v2]/*.laz"], ["a.laz", "b.LAZ", "c.Laz"]),
+        (['"tiles [v2]/a.laz" "north/x/d.laz"'], ["a.laz", "d.laz"]),
+        (["tiles [v2]/a.laz; north/**/*.LAZ"], ["a.laz", "d.laz"]),
+        (["odd[1].laz", "odd[1].laz", "gone/*.laz"], ["odd[1].laz", "*.laz"]),
+    ],
+)
+def test_what_a_user_gives(folder: Path, monkeypatch: pytest.MonkeyPatch, texts: list[str], names: list[str]) -> None:
+    monkeypatch.chdir(folder)
+    assert [path.name for path in given_paths(texts)] == names

@@ -6,6 +6,7 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 
 import numpy as np
+import open3d
 import pytest
 from las_files import grid_points, write_las
 from tetratrack.core.common.errors import InputError
@@ -76,7 +77,7 @@ def test_a_day_that_could_be_a_month_is_settled_by_gps_time(tmp_path: Path) -> N
 
 def test_folder_without_tiles_says_what_it_holds(tmp_path: Path) -> None:
     (tmp_path / "scan.pts").write_text("")
-    with pytest.raises(InputError, match=r"holds no LAS.*\.pts"):
+    with pytest.raises(InputError, match=r"holds no point cloud.*\.pts"):
         find_tiles([tmp_path])
 
 
@@ -86,3 +87,14 @@ def test_folder_without_tiles_says_what_it_holds(tmp_path: Path) -> None:
 def test_kinds_of_gps_time(seconds: float, day: date | None) -> None:
     found = utc_of_gps(seconds)
     assert (found.date() if found else None) == day
+
+
+def test_scans_count_where_no_tiles_stand_beside_them(tmp_path: Path) -> None:
+    (tmp_path / "a").mkdir()
+    (tmp_path / "b").mkdir()
+    write_las(tmp_path / "a" / "tile.LAZ", grid_points())
+    for folder in "ab":
+        cloud = open3d.t.geometry.PointCloud(open3d.core.Tensor(grid_points()))
+        open3d.t.io.write_point_cloud(tmp_path / folder / "scan.ply", cloud)
+    assert sorted(tile.info.path.name for tile in find_tiles([tmp_path])) == ["scan.ply", "tile.LAZ"]
+    assert [tile.info.path.name for tile in find_tiles([tmp_path / "a" / "scan.ply"])] == ["scan.ply"]
