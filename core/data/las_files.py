@@ -72,6 +72,8 @@ class LasHeader:
         Bytes to read in place of the file's, by position, so that a library understands what the writer meant.
     note
         What was mended; empty where nothing was.
+    unread
+        Points that the file seems to hold behind those that the header counts.
     """
 
     path: Path
@@ -92,6 +94,7 @@ class LasHeader:
     wkt: bool
     patches: Mapping[int, bytes] = field(default_factory=dict)
     note: str = ""
+    unread: int = 0
 
     @property
     def copc(self) -> bool:
@@ -187,6 +190,8 @@ def _parsed(path: Path, stored: Path, size: int, stream: BinaryIO) -> LasHeader:
             source=path,
             remedy="Mend its header (lasinfo -repair), or export it again.",
         )
+    # a compressed file has no length that would tell
+    room = _counted_by_return(head, minor) if compressed else ((evlr_start or size) - data_offset) // length
     return LasHeader(
         path=path,
         stored=stored,
@@ -206,7 +211,13 @@ def _parsed(path: Path, stored: Path, size: int, stream: BinaryIO) -> LasHeader:
         wkt=bool(struct.unpack_from("<H", head, 6)[0] & 0x10),
         patches=patches,
         note=note,
+        unread=room - count if 8 * size > room > count > 0 else 0,
     )
+
+
+def _counted_by_return(head: bytes, minor: int) -> int:
+    """Points of a file as its header counts them by number of return."""
+    return sum(struct.unpack_from("<15Q", head, 255) if minor == 4 and len(head) >= 375 else struct.unpack_from("<5I", head, 111))
 
 
 def _records(stream: BinaryIO, start: int, number: int, end: int, extended: bool) -> Iterator[LasRecord]:

@@ -125,6 +125,9 @@ def stray_cells(site: Occupancy) -> BoolArray:
     points = np.bincount(group, weights=site.counts)
     main = int(points.argmax())
     few = points < min(FEW_POINTS, max(FEW_SHARE * site.points, min(HANDFUL, HANDFUL_SHARE * site.points)))
+    # a point without coordinates has zeros; there may be many of them
+    elsewhere = ~np.isin(site.cells[:, :2], (-1, 0)).all(axis=1)
+    few |= np.bincount(group, weights=elsewhere) == 0
     few[main] = False
     # a cloud that is nothing but scattered points has no main part
     if points[few].sum() > MOST_STRAYS * site.points:

@@ -10,7 +10,7 @@ import numpy as np
 from ..common.arrays import BoolArray, FloatArray
 from ..common.errors import Cancelled, InputError
 from . import scan_cache
-from .las_files import REMEDY_DAMAGED, LasHeader, chunks_of, open_points, positions
+from .las_files import LasHeader, chunks_of, open_points, positions
 from .occupancy import Occupancy, merged, stray_cells
 from .scan_cache import Scan
 
@@ -64,11 +64,9 @@ def said_of_extent(header: LasHeader, scan: Scan) -> str:
     Raises
     ------
     InputError
-        Some points lie outside of it, as in a damaged file.
+        Some points lie outside of it and some within, as in a damaged file.
     """
     given_low, given_high, name = header.low, header.high, header.path.name
-    if np.isnan([given_low, given_high]).any():
-        raise InputError("has an impossible extent in its header", source=header.path, remedy=REMEDY_DAMAGED)
     if (given_low > given_high).any() or not np.isfinite([given_low, given_high]).all() or (not given_low.any() and not given_high.any()):
         return f"{name}: its header gives no extent; that of its points is taken"
     slack = np.maximum(2 * header.scales, _rounding(np.concatenate([given_low, given_high]))) + 1e-9
@@ -80,6 +78,8 @@ def said_of_extent(header: LasHeader, scan: Scan) -> str:
     if (np.abs(scan.raw_high - given_high - shift) <= 2 * slack).all():
         moved = ", ".join(f"{value:.2f}" for value in shift)
         return f"{name}: its points lie ({moved}) m beside the extent its header gives, as if it had been moved; their own extent is taken"
+    if ((scan.raw_low > given_high + slack) | (scan.raw_high < given_low - slack)).any():
+        return f"{name}: none of its points lie in the extent its header gives; their own extent is taken"
     raise InputError(
         "holds points outside the extent its header gives",
         source=header.path,

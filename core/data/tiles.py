@@ -80,6 +80,8 @@ class TileInfo:
         What else is odd about the file and how it was taken, one sentence each.
     dropped
         Points left out because they are classed as noise or withheld.
+    unread
+        Points that the file seems to hold behind those that its header counts.
     strays
         Points left out because they lie far from all others.
     definition
@@ -110,6 +112,7 @@ class TileInfo:
     note: str
     remarks: tuple[str, ...] = ()
     dropped: int = 0
+    unread: int = 0
     strays: int = 0
     definition: str = ""
     heights: str = ""
@@ -198,6 +201,9 @@ def inspect_tile(
     source = Path(path)
     header = read_header(source)
     remarks = [header.note] if header.note else []
+    if header.unread:
+        seems = header.count + header.unread
+        remarks.append(f"{source.name}: its header counts {header.count} points, the file seems to hold {seems}; those behind are not read")
     if header.count == 0:
         return _tile_of(header, None, TileTransform(None), remarks)
     declared = declared_crs(header)
@@ -258,10 +264,10 @@ def _kept(tile: TileInfo, survey_crs: str, level: int, stray: set[tuple[int, int
     trimmed = replace(tile, cells=left, strays=strays, low=_corner(np.maximum(low, tile.low)), high=_corner(np.minimum(high, tile.high)))
     # cells tell the place of a point to metres; the extent that blocks are laid out from is that of the points themselves
     lows, highs = [], []
-    for part in _read_tile(trimmed, survey_crs, None, np.zeros(3), is_cancelled):
-        if len(part[0]):
-            lows.append(part[0].min(axis=0))
-            highs.append(part[0].max(axis=0))
+    for xyz in used_points(trimmed, survey_crs, is_cancelled):
+        if len(xyz):
+            lows.append(xyz.min(axis=0))
+            highs.append(xyz.max(axis=0))
     return replace(trimmed, low=_corner(np.min(lows, axis=0)), high=_corner(np.max(highs, axis=0))) if lows else trimmed
 
 
@@ -336,6 +342,18 @@ def read_points(
         keep = np.concatenate([[True], ~same])
         xyz, source_id, gps_time = xyz[keep], source_id[keep], gps_time[keep]
     return PointCloud(xyz, np.asarray(origin, dtype=np.float64), source_id, gps_time)
+
+
+def used_points(tile: TileInfo, survey_crs: str, is_cancelled: Callable[[], bool] = lambda: False) -> Iterator[FloatArray]:
+    """Yield (n, 3) positions of the points of one tile that are used, chunk by chunk, in the survey's CRS.
+
+    Raises
+    ------
+    InputError
+        The tile is damaged, or another one than it was.
+    """
+    for part in _read_tile(tile, survey_crs, None, np.zeros(3), is_cancelled):
+        yield part[0]
 
 
 def _read_tile(
@@ -423,6 +441,7 @@ def _tile_of(header: LasHeader, scan: Scan | None, transform: TileTransform, rem
         size=header.size,
         note=transform.note,
         remarks=tuple(remarks),
+        unread=header.unread,
         dropped=0 if scan is None else header.count - scan.cells.points,
         resolution=float(header.scales.max()),
         cells=None if scan is None else scan.cells,

@@ -7,8 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..common.arrays import FloatArray
-from ..data.las_files import chunks_of, open_points, read_header
-from ..data.tiles import TileInfo, Window, read_points
+from ..data.tiles import TileInfo, Window, read_points, used_points
 from ..segmentation.unit_size import WINDOW_SIDE, dense_windows
 
 MOST_POINTS = 4_000_000
@@ -35,7 +34,7 @@ def sample_points(
     if sum(tile.used for tile in tiles) <= MOST_POINTS:
         cloud = read_points(tiles, crs, is_cancelled=is_cancelled)
         return cloud.xyz, cloud.origin
-    coarse, chosen = _overview(tiles)
+    coarse, chosen = _overview([tile for tile in tiles if tile.used], crs, is_cancelled)
     height = SUPPOSED_HEIGHT
     parts: list[FloatArray] = []
     origin = np.floor(coarse.min(axis=0))
@@ -50,20 +49,13 @@ def sample_points(
     return np.unique(np.vstack(parts), axis=0), origin
 
 
-def _overview(tiles: Sequence[TileInfo]) -> tuple[FloatArray, list[TileInfo]]:
+def _overview(tiles: Sequence[TileInfo], crs: str, is_cancelled: Callable[[], bool]) -> tuple[FloatArray, list[TileInfo]]:
     """Every so many of the points of tiles spread over the epoch, and these tiles."""
-    total = sum(tile.points for tile in tiles)
+    total = sum(tile.used for tile in tiles)
     step = max(1, round(total / MOST_READ))
     chosen = list(tiles)[::step] if len(tiles) > step else list(tiles[:1])
-    stride = max(1, sum(tile.points for tile in chosen) // (MOST_POINTS // 2))
-    parts = []
-    for tile in chosen:
-        header = read_header(tile.path)
-        with open_points(header) as reader:
-            for chunk in chunks_of(reader, header):
-                part = chunk[::stride]
-                parts.append(np.column_stack([part.x, part.y, part.z]))
-    return np.vstack(parts).astype(np.float64), chosen
+    stride = max(1, sum(tile.used for tile in chosen) // (MOST_POINTS // 2))
+    return np.vstack([xyz[::stride] for tile in chosen for xyz in used_points(tile, crs, is_cancelled)]), chosen
 
 
 def _at_most(points: FloatArray, most: int) -> FloatArray:

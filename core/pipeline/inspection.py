@@ -69,7 +69,7 @@ def inspect_files(paths: Sequence[Path], feedback: Feedback) -> tuple[Finding, .
             findings.append(Finding(verdict="refused", what="tile", name=path.name, message=str(error), error=error))
         else:
             said = [*tile.remarks, *([] if tile.used else [f"{path.name}: holds no points that are used"])]
-            verdict: Verdict = "warning" if not tile.used else "note" if said else "ok"
+            verdict: Verdict = "warning" if tile.unread or not tile.used else "note" if said else "ok"
             findings.append(Finding(verdict=verdict, what="tile", name=path.name, message="; ".join(said), tile=tile))
         feedback.progress((k + 1) / len(paths), f"checked {path.name}")
     return tuple(findings)
@@ -135,7 +135,8 @@ def _rows(findings: Sequence[Finding]) -> list[dict[str, Any]]:
             | {"points": "", "used": "", "density": "", "crs": "", "extent": "", "remark": "", "path": ""},
         )
         row["verdict"] = max(row["verdict"], finding.verdict, key=SEVERITY.index)
-        said = finding.message.replace(f"{finding.name}: ", "")
+        source = finding.name if finding.error is None else finding.error.source
+        said = finding.message.replace(f"{source}: ", "").replace(f"{finding.name}: ", "")
         row["remark"] = "; ".join(part for part in (row["remark"], said) if part)
         tile = finding.tile
         if tile is not None:

@@ -28,6 +28,8 @@ LEAST_CELLS_PER_HEIGHT, MOST_CELLS_PER_HEIGHT = 15, 80
 SPACINGS_PER_CELL = 1.5
 """Size of a cell in mean spacings of the points: one cell in ten stays empty then, and is filled from its neighbours."""
 MOST_CELLS = 100_000_000
+STRIP_CELLS = 4_000_000
+"""Cells that are shaded at a time."""
 SUN_AZIMUTH, SUN_ALTITUDE = math.radians(315), math.radians(45)
 """Light from the north-west, the custom of relief maps; from elsewhere the eye swaps heights and hollows."""
 
@@ -81,12 +83,26 @@ def shade(grid: HighestPoints) -> tuple[GreyArray, GreyArray]:
         (rows, columns) brightness 55..255, so that shadows still show symbols, and 255 where a point lies in the cell or beside it,
         0 elsewhere.
     """
-    known = np.isfinite(grid.height)
+    rows = len(grid.height)
+    grey, alpha = np.empty(grid.height.shape, np.uint8), np.empty(grid.height.shape, np.uint8)
+    # a dozen arrays of the whole grid would be gigabytes; a row is shaded by the two above and below it
+    strip = max(1, STRIP_CELLS // grid.height.shape[1])
+    for start in range(0, rows, strip):
+        first, last = max(0, start - 2), min(rows, start + strip + 2)
+        part = slice(start - first, min(rows, start + strip) - first)
+        some_grey, some_alpha = _shaded(grid.height[first:last], grid.cell)
+        grey[start : start + strip], alpha[start : start + strip] = some_grey[part], some_alpha[part]
+    return grey, alpha
+
+
+def _shaded(height: NDArray[np.float32], cell: float) -> tuple[GreyArray, GreyArray]:
+    """Brightness and transparency of some rows of a grid."""
+    known = np.isfinite(height)
     weight = uniform_filter(known.astype(np.float32), 3)
-    total = uniform_filter(np.where(known, grid.height, 0).astype(np.float32), 3)
-    filled = np.where(known, grid.height, total / np.maximum(weight, 1e-6))
+    total = uniform_filter(np.where(known, height, 0).astype(np.float32), 3)
+    filled = np.where(known, height, total / np.maximum(weight, 1e-6))
     seen = weight > 1e-6
-    slope_n, slope_e = np.gradient(np.where(seen, filled, 0), -grid.cell, grid.cell)
+    slope_n, slope_e = np.gradient(np.where(seen, filled, 0), -cell, cell)
     light = (math.sin(SUN_AZIMUTH) * math.cos(SUN_ALTITUDE), math.cos(SUN_AZIMUTH) * math.cos(SUN_ALTITUDE), math.sin(SUN_ALTITUDE))
     brightness = (light[2] - slope_e * light[0] - slope_n * light[1]) / np.sqrt(1 + slope_e**2 + slope_n**2)
     return (55 + 200 * np.clip(brightness, 0, 1)).astype(np.uint8), np.where(seen, 255, 0).astype(np.uint8)

@@ -160,7 +160,7 @@ def _look_at(path: Path, epoch: Epoch, survey_crs: str, level: int, feedback: Fe
     except InputError as error:
         return _refused(epoch, "tile", error, path.name)
     said = [*tile.remarks, *([tile.note] if tile.note else [])]
-    verdict: Verdict = "note" if said else "ok"
+    verdict: Verdict = "warning" if tile.unread else "note" if said else "ok"
     if not tile.used:
         why = "holds no points" if not tile.points else f"holds {tile.points} points, all classed as noise or withheld,"
         said.append(f"{path.name}: {why} and is left out")

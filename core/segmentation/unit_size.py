@@ -264,15 +264,17 @@ def dense_windows(points: FloatArray, height: float, count: int) -> list[IntArra
     step = 0.5 * WINDOW_SIDE * height
     low = thinned[:, :2].min(axis=0)
     cell = np.floor((thinned[:, :2] - low) / step).astype(np.int64)
-    size = cell.max(axis=0) + 2
-    filled = np.zeros(size)
-    np.add.at(filled, (cell[:, 0], cell[:, 1]), 1)
-    four = filled[:-1, :-1] + filled[1:, :-1] + filled[:-1, 1:] + filled[1:, 1:]
+    # only squares that hold something: two sites of one survey may lie far apart
+    filled, number = np.unique(cell, axis=0, return_counts=True)
+    lower = (filled[:, None] - np.array([[0, 0], [0, 1], [1, 0], [1, 1]])).reshape(-1, 2)
+    there = (lower >= 0).all(axis=1)
+    squares, member = np.unique(lower[there], axis=0, return_inverse=True)
+    four = np.bincount(member.reshape(-1), weights=np.repeat(number, 4)[there])
     chosen: list[tuple[int, int]] = []
-    for flat in np.argsort(-four, axis=None, kind="stable"):
-        i, j = (int(x) for x in np.unravel_index(flat, four.shape))
-        if four[i, j] <= 0 or len(chosen) == count:
+    for place in np.argsort(-four, kind="stable"):
+        if len(chosen) == count:
             break
+        i, j = (int(x) for x in squares[place])
         if all(abs(i - a) > 1 or abs(j - b) > 1 for a, b in chosen):
             chosen.append((i, j))
     out = []

@@ -5,6 +5,7 @@ from __future__ import annotations
 import struct
 from pathlib import Path
 
+import laspy
 import numpy as np
 import pytest
 from crooked_las import COUNT_AT, HEADER_SIZE_AT, LEGACY_COUNT_AT, VERSION_AT, patched, with_extent, write_keys, write_survey, write_wkt
@@ -15,6 +16,7 @@ from tetratrack.core.data.occupancy import Occupancy, common_height_shift, stray
 from tetratrack.core.data.survey import read_survey
 from tetratrack.core.data.tiles import inspect_tile, read_points
 from tetratrack.core.pipeline.epoch_plans import EpochPlan, plan_survey
+from tetratrack.core.segmentation.unit_size import dense_windows
 
 CRS = "EPSG:32650"
 HIGH = ORIGIN + np.array([4, 4, 1.6])
@@ -51,12 +53,30 @@ def test_a_stray_point_is_named_and_left_out(tmp_path: Path, place: tuple[float,
     assert stray.low == pytest.approx((moved(points, 4)).min(axis=0), abs=2e-3)
 
 
+def test_points_without_coordinates_are_left_out_however_many(tmp_path: Path) -> None:
+    header = laspy.LasHeader(version="1.4", point_format=6)
+    header.scales = np.full(3, 0.01)
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = np.vstack([grid_points(3000), np.zeros((100, 3))]).T
+    las.write(str(tmp_path / "a.laz"))
+    plan, said = planned(write_survey(tmp_path, more=f'tiles_crs = "{CRS}"'))
+    assert "a.laz: 100 points lie far from all others" in said[0]
+    assert plan.tiles[0].used == 3000
+
+
 def test_two_sites_far_apart_have_blocks_only_where_points_are(tmp_path: Path) -> None:
     write_las(tmp_path / "one.laz", grid_points(2000))
     write_las(tmp_path / "other.laz", moved(grid_points(2000), 40_000, 30_000))
     plan, said = planned(write_survey(tmp_path))
     assert len(plan.blocks) == 2
     assert not said
+
+
+def test_two_sites_far_apart_take_the_memory_of_their_points(tmp_path: Path) -> None:
+    """A grid from one to the other would have 10^10 squares."""
+    points = np.vstack([grid_points(2000), moved(grid_points(3000), 400_000, 300_000)])
+    places = dense_windows(points - ORIGIN, 2.3, 2)
+    assert {bool(place.min() >= 2000) for place in places} == {True, False}
 
 
 def test_a_height_in_another_unit_is_no_reason_for_endless_blocks(tmp_path: Path) -> None:
@@ -72,6 +92,9 @@ def test_a_height_in_another_unit_is_no_reason_for_endless_blocks(tmp_path: Path
     [
         (np.zeros(3), np.zeros(3), "gives no extent"),
         (np.full(3, 1e300), np.full(3, -1e300), "gives no extent"),
+        (np.full(3, np.nan), np.full(3, np.nan), "gives no extent"),
+        (np.full(3, 1e-300), np.full(3, 1e-300), "none of its points lie in"),
+        (ORIGIN - 900, ORIGIN - 600, "none of its points lie in"),
         (ORIGIN - 3000, HIGH + 3000, "larger than that of its points"),
         (ORIGIN - 9000, HIGH - 9000, ""),
     ],
@@ -117,6 +140,13 @@ def test_old_header_lengths_and_counts(tmp_path: Path) -> None:
     unfinished = patched(write_las(tmp_path / "unfinished.las", grid_points()), {COUNT_AT: bytes(8)})
     with pytest.raises(InputError, match="its header was never finished"):
         inspect_tile(unfinished, CRS)
+
+
+def test_points_that_the_header_does_not_count_are_told(tmp_path: Path) -> None:
+    patched(write_las(tmp_path / "a.las", grid_points()), {COUNT_AT: struct.pack("<Q", 300)})
+    plan, said = planned(write_survey(tmp_path))
+    assert plan.tiles[0].used == 300
+    assert said == ["a.las: its header counts 300 points, the file seems to hold 400; those behind are not read"]
 
 
 def test_compression_by_points_is_named(tmp_path: Path) -> None:

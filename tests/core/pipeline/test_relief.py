@@ -32,6 +32,16 @@ def test_cells_without_points_are_transparent() -> None:
     assert (alpha[:, 50:] == 0).all()
 
 
+def test_strips_of_a_wide_grid_are_shaded_as_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    grid = empty_grid((500_000, 4_000_000, 0), (500_010, 4_000_010, 5), 1.5)
+    grid.add(roof()[::7])
+    whole = shade(grid)
+    monkeypatch.setattr("tetratrack.core.pipeline.relief.STRIP_CELLS", 7 * grid.height.shape[1])
+    for one, other in zip(shade(grid), whole, strict=True):
+        # sums that run along a column are rounded otherwise
+        assert np.abs(one.astype(int) - other.astype(int)).max() <= 1
+
+
 def test_geotiff_keeps_place_and_crs(tmp_path: Path) -> None:
     rasterio = pytest.importorskip("rasterio")
     grid = empty_grid((500_000, 4_000_000, 0), (500_010, 4_000_010, 5), 1.5)
