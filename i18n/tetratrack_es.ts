@@ -1215,6 +1215,16 @@
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
+      <source>Unit in the plan</source>
+      <translation>Pieza en el plan</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Section</source>
+      <translation>Sección</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
       <source>Time</source>
       <translation>Hora</translation>
     </message>
@@ -1532,6 +1542,71 @@
       <location filename="../algorithms/support/field_titles.py" />
       <source>Greatest height</source>
       <translation>Altura máxima</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev.</source>
+      <translation>Desviación típica</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. displacement</source>
+      <translation>Desv. típica del desplazamiento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Nearest of the other side</source>
+      <translation>Más próximo del otro lado</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height of the design</source>
+      <translation>Cota del proyecto</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Centre off the design</source>
+      <translation>Desvío del centro al proyecto</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Outermost point off the design</source>
+      <translation>Desvío del punto extremo al proyecto</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height of the crest</source>
+      <translation>Cota de coronación</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Highest top</source>
+      <translation>Punto más alto</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Width of the crest</source>
+      <translation>Ancho de coronación</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Change</source>
+      <translation>Variación</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. change</source>
+      <translation>Desv. típica de la variación</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>95 % band, from</source>
+      <translation>Banda del 95 %, desde</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>95 % band, to</source>
+      <translation>Banda del 95 %, hasta</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
@@ -2427,6 +2502,11 @@
       <location filename="../plugin/keyboard.py" />
       <source>Section of the unit</source>
       <translation>Sección de la unidad</translation>
+    </message>
+    <message>
+      <location filename="../plugin/length_widget.py" />
+      <source>Length in the project's unit</source>
+      <translation>Longitud en la unidad del proyecto</translation>
     </message>
     <message>
       <location filename="../plugin/options.py" />

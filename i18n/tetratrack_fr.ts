@@ -1215,6 +1215,16 @@
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
+      <source>Unit in the plan</source>
+      <translation>Bloc dans le plan</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Section</source>
+      <translation>Section</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
       <source>Time</source>
       <translation>Heure</translation>
     </message>
@@ -1532,6 +1542,71 @@
       <location filename="../algorithms/support/field_titles.py" />
       <source>Greatest height</source>
       <translation>Altitude maximale</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev.</source>
+      <translation>Écart type</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. displacement</source>
+      <translation>Écart type du déplacement</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Nearest of the other side</source>
+      <translation>Plus proche de l'autre côté</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height of the design</source>
+      <translation>Altitude du projet</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Centre off the design</source>
+      <translation>Écart du centre au projet</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Outermost point off the design</source>
+      <translation>Écart du point extrême au projet</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height of the crest</source>
+      <translation>Altitude de la crête</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Highest top</source>
+      <translation>Sommet le plus haut</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Width of the crest</source>
+      <translation>Largeur de la crête</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Change</source>
+      <translation>Variation</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. change</source>
+      <translation>Écart type de la variation</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>95 % band, from</source>
+      <translation>Bande à 95 %, de</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>95 % band, to</source>
+      <translation>Bande à 95 %, à</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
@@ -2427,6 +2502,11 @@
       <location filename="../plugin/keyboard.py" />
       <source>Section of the unit</source>
       <translation>Coupe du bloc</translation>
+    </message>
+    <message>
+      <location filename="../plugin/length_widget.py" />
+      <source>Length in the project's unit</source>
+      <translation>Longueur dans l'unité du projet</translation>
     </message>
     <message>
       <location filename="../plugin/options.py" />

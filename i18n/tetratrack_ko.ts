@@ -1215,6 +1215,16 @@
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
+      <source>Unit in the plan</source>
+      <translation>계획상의 블록</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Section</source>
+      <translation>단면</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
       <source>Time</source>
       <translation>시각</translation>
     </message>
@@ -1532,6 +1542,71 @@
       <location filename="../algorithms/support/field_titles.py" />
       <source>Greatest height</source>
       <translation>최고 높이</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev.</source>
+      <translation>표준편차</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. displacement</source>
+      <translation>표준편차 변위</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Nearest of the other side</source>
+      <translation>상대 쪽의 가장 가까운 것</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height of the design</source>
+      <translation>설계 높이</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Centre off the design</source>
+      <translation>중심의 설계로부터의 거리</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Outermost point off the design</source>
+      <translation>최외곽점의 설계로부터의 거리</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height of the crest</source>
+      <translation>마루 높이</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Highest top</source>
+      <translation>가장 높은 꼭대기</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Width of the crest</source>
+      <translation>마루 폭</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Change</source>
+      <translation>변화</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. change</source>
+      <translation>표준편차 변화</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>95 % band, from</source>
+      <translation>95 % 대역, 하한</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>95 % band, to</source>
+      <translation>95 % 대역, 상한</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
@@ -2427,6 +2502,11 @@
       <location filename="../plugin/keyboard.py" />
       <source>Section of the unit</source>
       <translation>유닛의 단면도</translation>
+    </message>
+    <message>
+      <location filename="../plugin/length_widget.py" />
+      <source>Length in the project's unit</source>
+      <translation>프로젝트 단위의 길이</translation>
     </message>
     <message>
       <location filename="../plugin/options.py" />

@@ -1215,6 +1215,16 @@
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
+      <source>Unit in the plan</source>
+      <translation>Bloco no plano</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Section</source>
+      <translation>Secção</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
       <source>Time</source>
       <translation>Hora</translation>
     </message>
@@ -1532,6 +1542,71 @@
       <location filename="../algorithms/support/field_titles.py" />
       <source>Greatest height</source>
       <translation>Altura máxima</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev.</source>
+      <translation>Desvio padrão</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. displacement</source>
+      <translation>Desvio padrão do deslocamento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Nearest of the other side</source>
+      <translation>Mais próximo do outro lado</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height of the design</source>
+      <translation>Cota do projeto</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Centre off the design</source>
+      <translation>Desvio do centro ao projeto</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Outermost point off the design</source>
+      <translation>Desvio do ponto extremo ao projeto</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height of the crest</source>
+      <translation>Cota do coroamento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Highest top</source>
+      <translation>Topo mais alto</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Width of the crest</source>
+      <translation>Largura do coroamento</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Change</source>
+      <translation>Variação</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. change</source>
+      <translation>Desvio padrão da variação</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>95 % band, from</source>
+      <translation>Faixa de 95 %, de</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>95 % band, to</source>
+      <translation>Faixa de 95 %, até</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
@@ -2427,6 +2502,11 @@
       <location filename="../plugin/keyboard.py" />
       <source>Section of the unit</source>
       <translation>Corte da unidade</translation>
+    </message>
+    <message>
+      <location filename="../plugin/length_widget.py" />
+      <source>Length in the project's unit</source>
+      <translation>Comprimento na unidade do projeto</translation>
     </message>
     <message>
       <location filename="../plugin/options.py" />

@@ -1215,6 +1215,16 @@
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
+      <source>Unit in the plan</source>
+      <translation>计划中的块体</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Section</source>
+      <translation>断面</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
       <source>Time</source>
       <translation>时间</translation>
     </message>
@@ -1532,6 +1542,71 @@
       <location filename="../algorithms/support/field_titles.py" />
       <source>Greatest height</source>
       <translation>最高高程</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev.</source>
+      <translation>标准差</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. displacement</source>
+      <translation>标准差 位移</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Nearest of the other side</source>
+      <translation>对方中最近者</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height of the design</source>
+      <translation>设计高程</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Centre off the design</source>
+      <translation>中心偏离设计</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Outermost point off the design</source>
+      <translation>最外点偏离设计</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Height of the crest</source>
+      <translation>堤顶高程</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Highest top</source>
+      <translation>最高顶点</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Width of the crest</source>
+      <translation>堤顶宽度</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Change</source>
+      <translation>变化</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Std. dev. change</source>
+      <translation>标准差 变化</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>95 % band, from</source>
+      <translation>95 % 带,下限</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>95 % band, to</source>
+      <translation>95 % 带,上限</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
@@ -2427,6 +2502,11 @@
       <location filename="../plugin/keyboard.py" />
       <source>Section of the unit</source>
       <translation>单元剖面图</translation>
+    </message>
+    <message>
+      <location filename="../plugin/length_widget.py" />
+      <source>Length in the project's unit</source>
+      <translation>以工程单位表示的长度</translation>
     </message>
     <message>
       <location filename="../plugin/options.py" />

@@ -8,12 +8,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from qgis.core import Qgis, QgsApplication, QgsSettings
+from qgis.core import Qgis, QgsApplication, QgsProject, QgsSettings
 from qgis.PyQt.QtCore import QCoreApplication, QObject, QStandardPaths, Qt, QTimer, QTranslator, QUrl, pyqtSlot
 from qgis.PyQt.QtGui import QAction, QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ..algorithms.provider import TetratrackProvider
+from ..algorithms.support import length_fields
 from ..algorithms.support.engine import LINK_SCHEME, find_engine
 from ..algorithms.support.environment import (
     PLUGIN_FOLDER,
@@ -24,6 +25,7 @@ from ..algorithms.support.environment import (
     in_making,
     managed_environment,
 )
+from ..algorithms.support.layers import follow_unit, name_added_layers
 from ..algorithms.support.translation import load_translator, tr, user_locale
 
 ICONS = PLUGIN_FOLDER / "plugin" / "icons"
@@ -71,9 +73,14 @@ class TetratrackPlugin:
 
     def initGui(self) -> None:
         """Register provider, options page, menu and toolbar."""
+        from . import length_widget
         from .options import TetratrackOptionsFactory
 
         self.initProcessing()
+        length_fields.register()
+        length_widget.register()
+        QgsProject.instance().layersAdded.connect(self._name_later)
+        QgsProject.instance().distanceUnitsChanged.connect(self._follow_unit)
         self.options_factory = TetratrackOptionsFactory()
         self.iface.registerOptionsWidgetFactory(self.options_factory)
         self.toolbar = self.iface.addToolBar("Tetratrack")
@@ -90,6 +97,9 @@ class TetratrackPlugin:
     def unload(self) -> None:
         """Take back everything :meth:`initGui` and :meth:`initProcessing` registered."""
         QDesktopServices.unsetUrlHandler(LINK_SCHEME)
+        QgsProject.instance().layersAdded.disconnect(self._name_later)
+        QgsProject.instance().distanceUnitsChanged.disconnect(self._follow_unit)
+        length_fields.unregister()
         for action in self.actions:
             self.iface.removePluginMenu("Tetratrack", action)
         self.actions.clear()
@@ -166,6 +176,15 @@ class TetratrackPlugin:
 
         text = QgsSettings().value(WHEELS_SETTING, "", type=str)
         ask_and_create(self.iface.mainWindow(), Path(text) if text and Path(text).exists() else None)
+
+    def _name_later(self, layers: list[Any]) -> None:
+        """Name the fields of layers of results; QGIS reads the file's style, which would undo it, only after it has added them."""
+        keys = [layer.id() for layer in layers]
+        QTimer.singleShot(0, lambda: name_added_layers(filter(None, map(QgsProject.instance().mapLayer, keys))))
+
+    def _follow_unit(self) -> None:
+        """Lengths of all layers of results in the unit that the project now has."""
+        follow_unit(QgsProject.instance())
 
     def _say_what_is_missing(self) -> None:
         """At the start, and where one is needed: that there is no engine, or one of another version, with the way to mend it."""

@@ -13,9 +13,9 @@ def field_title(name: str) -> str:
     return _titles().get(name, name)
 
 
-def field_alias(field: Field) -> str:
-    """Title of a field with its unit of measurement."""
-    unit = UNIT_SIGNS.get(field.unit, field.unit)
+def field_alias(field: Field, *, with_unit: bool = True) -> str:
+    """Title of a field, with its unit of measurement unless the values carry theirs."""
+    unit = UNIT_SIGNS.get(field.unit, field.unit) if with_unit else ""
     return f"{field_title(field.name)} [{unit}]" if unit else field_title(field.name)
 
 
@@ -27,6 +27,8 @@ def _identity() -> dict[str, str]:
     return {
         "unit_id": tr("Unit"),
         "point_id": tr("Point"),
+        "plan_id": tr("Unit in the plan"),
+        "section": tr("Section"),
         "epoch": tr("Epoch"),
         "label": tr("Epoch"),
         "time": tr("Time"),
@@ -103,6 +105,19 @@ def _lengths() -> dict[str, str]:
         "correlation_length": tr("Correlation length"),
         "height_min": tr("Lowest height"),
         "height_max": tr("Greatest height"),
+        "sd": tr("Std. dev."),
+        "sd_3d": tr("Std. dev. displacement"),
+        "nearest": tr("Nearest of the other side"),
+        "design_height": tr("Height of the design"),
+        "off_centre": tr("Centre off the design"),
+        "off_outer": tr("Outermost point off the design"),
+        "crest_height": tr("Height of the crest"),
+        "crest_highest": tr("Highest top"),
+        "crest_width": tr("Width of the crest"),
+        "change": tr("Change"),
+        "sd_change": tr("Std. dev. change"),
+        "low": tr("95 % band, from"),
+        "high": tr("95 % band, to"),
     }
 
 

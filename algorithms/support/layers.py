@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from qgis.core import (
@@ -19,6 +20,7 @@ from qgis.core import (
     QgsProcessingLayerPostProcessorInterface,
     QgsProject,
     QgsProperty,
+    QgsProviderRegistry,
     QgsRasterLayer,
     QgsSingleBandGrayRenderer,
     QgsSymbolLayer,
@@ -34,6 +36,7 @@ from ...core.results.added_layers import TILE_INDEX, known_layer
 from ...core.results.schema import LAYERS
 from ...core.results.unit_rows import read_epochs
 from .field_titles import field_alias
+from .length_fields import WIDGET, follows_unit, length_setup, registered
 from .lengths import length_format, write_project_lengths
 from .translation import tr
 
@@ -70,6 +73,12 @@ HIDDEN_AT_FIRST = ("displacements_other", "placement", "unit_surfaces")
 
 LEGEND_PROPERTY = "tetratrack/legend"
 """Custom property of a layer that keeps the labels of its legend as the shipped style has them."""
+NAMED_PROPERTY = "tetratrack/fields"
+"""Custom property of a layer whose fields are named: what a user makes of the names afterwards stays."""
+SHIPPED_WIDGETS = ("", "Range", WIDGET)
+"""How the shipped styles and QGIS itself show numbers; what else a user has chosen stays."""
+LEADING_FIELDS = 4
+"""So many fields of a layer have been there in every version of the format."""
 
 TILE_CLASSES = 5
 
@@ -127,8 +136,25 @@ def name_fields(layer: QgsVectorLayer, name: str) -> None:
     known = known_layer(name)
     for field in known.fields if known is not None else ():
         index = layer.fields().lookupField(field.name)
-        if index >= 0:
-            layer.setFieldAlias(index, field_alias(field))
+        if index < 0:
+            continue
+        follows = registered() and follows_unit(field) and layer.editorWidgetSetup(index).type() in SHIPPED_WIDGETS
+        if follows:
+            layer.setEditorWidgetSetup(index, length_setup(field))
+        layer.setFieldAlias(index, field_alias(field, with_unit=not follows))
+    layer.setCustomProperty(NAMED_PROPERTY, name)
+
+
+def name_added_layers(layers: Iterable[QgsMapLayer]) -> None:
+    """Name the fields of layers of results that were opened without the plugin's help: dragged onto the map, or from a project of then."""
+    for layer in layers:
+        if not isinstance(layer, QgsVectorLayer) or layer.providerType() != "ogr" or layer.customProperty(NAMED_PROPERTY):
+            continue
+        name = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName") or ""
+        known = known_layer(name)
+        # other files have layers of such names too
+        if known is not None and {field.name for field in known.fields[:LEADING_FIELDS]} <= set(layer.fields().names()):
+            name_fields(layer, name)
 
 
 def describe(layer: QgsMapLayer, name: str) -> None:

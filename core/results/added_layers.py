@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .comparison_layers import COMPARISON_LAYERS
 from .schema import LAYERS, Field, Layer
 
 UNIT_ID = LAYERS["units"].fields[0]
@@ -67,5 +68,5 @@ TILE_INDEX = Layer(
 
 
 def known_layer(name: str) -> Layer | None:
-    """A layer of a result, one that a review adds to it, or the index of tiles."""
-    return LAYERS.get(name) or ADDED.get(name) or (TILE_INDEX if name == TILE_INDEX.name else None)
+    """A layer of a result, one that a review adds to it or a comparison writes beside it, or the index of tiles."""
+    return LAYERS.get(name) or ADDED.get(name) or COMPARISON_LAYERS.get(name) or (TILE_INDEX if name == TILE_INDEX.name else None)

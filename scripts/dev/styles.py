@@ -271,9 +271,8 @@ def phong(colour: str) -> QgsPhongMaterialSettings:
 def styled(name: str) -> QgsVectorLayer:
     """Empty layer with the fields of the schema and its style."""
     from tetratrack.core.results.added_layers import known_layer
-    from tetratrack.core.results.comparison_layers import COMPARISON_LAYERS
 
-    described = COMPARISON_LAYERS.get(name) or known_layer(name)
+    described = known_layer(name)
     kinds = {"text": "string", "integer": "integer", "real": "double", "boolean": "boolean", "datetime": "datetime"}
     fields = "&".join(f"field={f.name}:{kinds[f.type]}" for f in described.fields)
     geometry = "NoGeometry" if described.geometry == "none" else described.geometry

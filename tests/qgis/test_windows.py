@@ -201,3 +201,16 @@ def test_from_a_folder_to_the_first_map(open_window: Callable[..., Window], tiny
     assert answer["epochs"] == ["before the storm", labels[1]]
     assert answer["units"] > 0
     assert (folder / "result_survey" / "survey.toml").is_file()
+
+
+def test_tables_and_the_identify_window_follow_the_projects_unit(window: Callable[..., dict[str, Any]], tmp_path: Path) -> None:
+    """Layers dragged onto the map, without the dock: lengths in millimetres where the project counts so, in metres where it does not."""
+    result = tmp_path / "result.gpkg"
+    write_result(result, 40, 2, seed=4)
+    answer = window("lengths", TETRATRACK_RESULT=str(result))
+    assert answer["identified"]["Displacement"] == f"{1000 * answer['stored']:.1f} mm"
+    assert {"Easting component", "Std. dev. height"} <= set(answer["headers"])
+    assert not [text for text in answer["headers"] if "[m" in text]
+    for small, large in zip(answer["millimetres"], answer["metres"], strict=True):
+        assert (small.split()[1], large.split()[1]) == ("mm", "m")
+        assert float(small.split()[0]) == pytest.approx(1000 * float(large.split()[0]), abs=0.51)

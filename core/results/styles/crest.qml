@@ -383,16 +383,16 @@
     </field>
   </fieldConfiguration>
   <aliases>
-    <alias name="section" index="0" field="section"/>
+    <alias name="Section" index="0" field="section"/>
     <alias name="Along the structure [m]" index="1" field="along"/>
     <alias name="Epoch" index="2" field="epoch"/>
     <alias name="Units" index="3" field="units"/>
-    <alias name="crest_height [m]" index="4" field="crest_height"/>
-    <alias name="crest_highest [m]" index="5" field="crest_highest"/>
-    <alias name="crest_width [m]" index="6" field="crest_width"/>
-    <alias name="sd [m]" index="7" field="sd"/>
-    <alias name="change [m]" index="8" field="change"/>
-    <alias name="sd_change [m]" index="9" field="sd_change"/>
+    <alias name="Height of the crest [m]" index="4" field="crest_height"/>
+    <alias name="Highest top [m]" index="5" field="crest_highest"/>
+    <alias name="Width of the crest [m]" index="6" field="crest_width"/>
+    <alias name="Std. dev. [m]" index="7" field="sd"/>
+    <alias name="Change [m]" index="8" field="change"/>
+    <alias name="Std. dev. change [m]" index="9" field="sd_change"/>
   </aliases>
   <splitPolicies>
     <policy policy="Duplicate" field="section"/>

@@ -741,7 +741,7 @@
     </field>
   </fieldConfiguration>
   <aliases>
-    <alias name="plan_id" index="0" field="plan_id"/>
+    <alias name="Unit in the plan" index="0" field="plan_id"/>
     <alias name="Unit" index="1" field="unit_id"/>
     <alias name="Epoch" index="2" field="epoch"/>
     <alias name="Easting component [m]" index="3" field="de"/>
@@ -749,7 +749,7 @@
     <alias name="Height component [m]" index="5" field="dh"/>
     <alias name="Horizontal displacement [m]" index="6" field="d_horizontal"/>
     <alias name="Displacement [m]" index="7" field="d_3d"/>
-    <alias name="sd_3d [m]" index="8" field="sd_3d"/>
+    <alias name="Std. dev. displacement [m]" index="8" field="sd_3d"/>
     <alias name="Rotation [°]" index="9" field="rotation_deg"/>
     <alias name="Std. dev. rotation [°]" index="10" field="sd_rotation_deg"/>
     <alias name="Verdict" index="11" field="verdict"/>

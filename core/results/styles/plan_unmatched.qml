@@ -365,10 +365,10 @@
   </fieldConfiguration>
   <aliases>
     <alias name="Kind" index="0" field="kind"/>
-    <alias name="plan_id" index="1" field="plan_id"/>
+    <alias name="Unit in the plan" index="1" field="plan_id"/>
     <alias name="Unit" index="2" field="unit_id"/>
     <alias name="Epoch" index="3" field="epoch"/>
-    <alias name="nearest [m]" index="4" field="nearest"/>
+    <alias name="Nearest of the other side [m]" index="4" field="nearest"/>
   </aliases>
   <splitPolicies>
     <policy policy="Duplicate" field="kind"/>

@@ -484,10 +484,10 @@
     <alias name="Unit" index="0" field="unit_id"/>
     <alias name="Epoch" index="1" field="epoch"/>
     <alias name="Along the structure [m]" index="2" field="along"/>
-    <alias name="design_height [m]" index="3" field="design_height"/>
-    <alias name="off_centre [m]" index="4" field="off_centre"/>
-    <alias name="off_outer [m]" index="5" field="off_outer"/>
-    <alias name="sd [m]" index="6" field="sd"/>
+    <alias name="Height of the design [m]" index="3" field="design_height"/>
+    <alias name="Centre off the design [m]" index="4" field="off_centre"/>
+    <alias name="Outermost point off the design [m]" index="5" field="off_outer"/>
+    <alias name="Std. dev. [m]" index="6" field="sd"/>
     <alias name="Verdict" index="7" field="verdict"/>
   </aliases>
   <splitPolicies>

@@ -343,7 +343,7 @@
     </field>
   </fieldConfiguration>
   <aliases>
-    <alias name="section" index="0" field="section"/>
+    <alias name="Section" index="0" field="section"/>
     <alias name="Along the structure [m]" index="1" field="along"/>
     <alias name="Kind" index="2" field="kind"/>
     <alias name="Unit" index="3" field="unit_id"/>

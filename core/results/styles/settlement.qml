@@ -438,8 +438,8 @@
     <alias name="Along, to [m]" index="4" field="along_to"/>
     <alias name="Units" index="5" field="units"/>
     <alias name="Height component [m]" index="6" field="dh"/>
-    <alias name="low [m]" index="7" field="low"/>
-    <alias name="high [m]" index="8" field="high"/>
+    <alias name="95 % band, from [m]" index="7" field="low"/>
+    <alias name="95 % band, to [m]" index="8" field="high"/>
     <alias name="Significant" index="9" field="significant"/>
   </aliases>
   <splitPolicies>
