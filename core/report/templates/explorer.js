@@ -263,12 +263,11 @@
 
   /* scene */
   const scene = document.getElementById("scene"), canvas = scene.querySelector("canvas");
-  const gl = canvas.getContext("webgl", { antialias: true, preserveDrawingBuffer: true });
   const VERTEX = `attribute vec3 corner; attribute vec3 normal; uniform mat4 camera; uniform mat3 turn; uniform vec3 centre; varying vec3 facing;
     void main() { facing = turn * normal; gl_Position = camera * vec4(turn * corner + centre, 1.0); }`;
   const FRAGMENT = `precision mediump float; varying vec3 facing; uniform vec4 paint; uniform vec3 light;
     void main() { float lit = 0.45 + 0.55 * max(dot(normalize(facing), light), 0.0); gl_FragColor = vec4(paint.rgb * lit, paint.a); }`;
-  const startScene = () => {
+  const startScene = (gl) => {
     const program = gl.createProgram();
     [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]].forEach(([kind, source]) => {
       const shader = gl.createShader(kind);
@@ -383,19 +382,32 @@
       eye = home();
       ask();
     });
-    followers.push((k) => {
+    const lookAt = (k) => {
       eye.target = [...units[k].place];
       eye.distance = Math.min(eye.distance, 14);
       ask();
-    });
+    };
+    followers.push(lookAt);
+    if (chosen >= 0) lookAt(chosen);
     window.addEventListener("resize", ask);
     ask();
     return true;
   };
-  if (!gl || !startScene()) {
+  const showScene = () => {
+    const gl = canvas.getContext("webgl", { antialias: true, preserveDrawingBuffer: true });
+    if (gl && startScene(gl)) return;
     scene.hidden = true;
     document.getElementById("scene-missing").hidden = false;
-  }
+  };
+  // a machine without a graphics processor draws a thousand blocks in seconds: not before the scene comes near the window
+  if (window.IntersectionObserver) {
+    const watch = new IntersectionObserver((seen) => {
+      if (!seen.some((entry) => entry.isIntersecting)) return;
+      watch.disconnect();
+      showScene();
+    }, { rootMargin: "200px" });
+    watch.observe(scene);
+  } else showScene();
 
   window.addEventListener("resize", draw);
   sort();
