@@ -14,6 +14,12 @@ from .crs import LOCAL, ground_scale, neighbouring_zones, parse_crs, tile_transf
 
 MOST_CONTROL_SD = 0.5
 """Metres; nobody controls a survey with a standard deviation above."""
+LEAST_CONTROL_SD, LARGE_CONTROL_SD = 1e-6, 0.1
+"""Metres; nobody measures a coordinate better than the first, and with the second little is controlled."""
+LARGE_HEIGHT_SHIFT, LARGE_SHIFT = 2.0, 10.0
+"""Metres by which control seldom moves a cloud that is in the CRS of the survey."""
+WEEK = 604_800.0
+"""Seconds."""
 MOST_SCALE_ERROR = 0.003
 """Largest difference from 1 of a grid's scale on the ground: a unit then seems 7 mm larger than it is."""
 FAR_CONTROL = 10_000.0
@@ -134,19 +140,37 @@ def _likely(points: FloatArray, place: Place, limit: float) -> str:
                 continue
             if apply is not None and near(apply(points)):
                 return f"They seem to be in {zone}: transform them to {place.crs}."
+    # a zone before the easting, the false northing of the other hemisphere, leading digits left away to type less
+    lacking = np.round((np.add(place.low, place.high) / 2 - np.median(points, axis=0)) / 1e6) * [1e6, 1e6, 0.0]
+    if lacking.any() and near(points + lacking):
+        wanted = " and ".join(f"{value:+.0f} m in {axis}" for value, axis in zip(lacking, ("easting", "northing"), strict=False) if value)
+        return f"Their leading digits seem to differ from the tiles': {wanted} would bring them there."
     return "Are they in another CRS, or in a local or shifted frame? They must be in the frame of the tiles."
 
 
-def check_sds(sds: FloatArray, names: Sequence[str], *, source: Path) -> None:
-    """Refuse (n, 3) standard deviations of control, metres, that no survey has.
+def check_sds(sds: FloatArray, names: Sequence[str], *, source: Path) -> str:
+    """Refuse (n, 3) standard deviations of control, metres, that no survey has; a sentence on those that control little.
 
     Raises
     ------
     InputError
         With the point and the likely unit.
     """
-    if not len(sds) or sds.max() <= MOST_CONTROL_SD:
-        return
+    if not len(sds):
+        return ""
+    # zero where none is stated
+    small = np.where(sds > 0, sds, np.inf).min(axis=1)
+    if small.min() < LEAST_CONTROL_SD:
+        k = int(small.argmin())
+        raise InputError(
+            f"point {names[k]} has a standard deviation of {small[k]:g} m, which no survey reaches",
+            source=source,
+            remedy="Is it in kilometres, or a variance? Write the standard deviation in metres, 0.002 for 2 mm.",
+        )
+    if sds.max() <= MOST_CONTROL_SD:
+        k = int(sds.max(axis=1).argmax())
+        large = f"{source.name}: point {names[k]} has a standard deviation of {sds[k].max():g} m; is it in centimetres?"
+        return large if sds.max() > LARGE_CONTROL_SD else ""
     k = int(sds.max(axis=1).argmax())
     value = float(sds[k].max())
     raise InputError(
@@ -154,6 +178,89 @@ def check_sds(sds: FloatArray, names: Sequence[str], *, source: Path) -> None:
         source=source,
         remedy=f"Is it in millimetres? Then write {value / 1000:g}; standard deviations are metres.",
     )
+
+
+def check_times(times: FloatArray, tiles: Sequence[tuple[str, float, float]], *, source: Path) -> str:
+    """Refuse a trajectory at whose (m,) times no tile was measured; a sentence where some points were measured before or after.
+
+    Parameters
+    ----------
+    times
+        GPS time in seconds, rising.
+    tiles
+        Name, first and last GPS time of each tile.
+    source
+        The file of the trajectory.
+
+    Raises
+    ------
+    InputError
+        With the likely cause.
+    """
+    first, last = float(times[0]), float(times[-1])
+    known = [tile for tile in tiles if tile[1] <= tile[2]]
+    if not known:
+        return f"{source.name}: the tiles have no GPS time by which it could be read"
+    begin, end = min(tile[1] for tile in known), max(tile[2] for tile in known)
+    if end < first or begin > last:
+        raise InputError(
+            f"covers GPS time {first:.3f} to {last:.3f}, the points of the epoch's tiles have {begin:.3f} to {end:.3f}",
+            source=source,
+            remedy=_likely_count((first, last), (begin, end)),
+        )
+    outside = [name for name, start, stop in known if start < first or stop > last]
+    if not outside:
+        return ""
+    more = f" and {len(outside) - 1} more" if len(outside) > 1 else ""
+    return (
+        f"{source.name}: covers GPS time {first:.3f} to {last:.3f}; points of {outside[0]}{more} were measured before or after. "
+        "A unit with such points ends a run"
+    )
+
+
+def _likely_count(ours: tuple[float, float], theirs: tuple[float, float]) -> str:
+    """What would bring the times of a trajectory to those of the tiles."""
+    middle = sum(theirs) / 2
+    for moved, what in ((middle + 1e9, "standard GPS time"), (middle - 1e9, "standard GPS time less 1 000 000 000")):
+        if ours[0] <= moved <= ours[1]:
+            return f"It counts {what}, the tiles do not: export one of them again."
+    if ours[0] >= 0 and ours[1] <= WEEK and any(ours[0] <= moved % WEEK <= ours[1] for moved in (middle, middle + 1e9)):
+        return "It counts seconds of the GPS week, the tiles do not: export one of them again."
+    if theirs[0] >= 0 and theirs[1] <= WEEK and ours[0] > WEEK:
+        return "The tiles count seconds of the GPS week, the trajectory does not: export one of them again."
+    return "Is it that of another flight? Give the trajectory of this epoch, with gps_time counted as in the tiles."
+
+
+def check_station_ids(stations: Sequence[int], tiles: Sequence[int], *, source: Path) -> str:
+    """Refuse stations none of which measured a point; a sentence where points have no station.
+
+    Raises
+    ------
+    InputError
+        With the IDs that occur in the tiles.
+    """
+    missing = sorted(set(tiles) - set(stations))
+    some = ", ".join(map(str, missing[:5])) + (" …" if len(missing) > 5 else "")
+    if missing and not set(tiles) & set(stations):
+        raise InputError(
+            f"none of its stations measured the epoch's points, whose point source IDs are {some}",
+            source=source,
+            remedy="Write the point source ID that the points of each station have in the tiles.",
+        )
+    return f"{source.name}: has no station for point source ID {some}; a unit with such points ends a run" if missing else ""
+
+
+def said_of_shift(shift: FloatArray, *, source: Path) -> str:
+    """A sentence where control moves a cloud that is in the survey's CRS by more than it should, (3,) metres; empty otherwise."""
+    plan, up = float(np.hypot(*shift[:2])), float(shift[2])
+    if abs(up) > LARGE_HEIGHT_SHIFT and plan < LARGE_HEIGHT_SHIFT:
+        return (
+            f"{source.name}: lifts the cloud by {up:.2f} m and leaves it in plan: are heights of control and cloud in different systems "
+            "(ellipsoid, geoid, chart datum)?"
+        )
+    if plan > LARGE_SHIFT:
+        return f"{source.name}: moves the cloud by {plan:.1f} m in plan and {up:.1f} m up: is control in the cloud's CRS and datum?"
+    return ""
 
 
 def check_scale(crs: str, place: Place, *, source: Path) -> None:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..common.arrays import FloatArray
+from ..common.arrays import FloatArray, IntArray
 from ..common.atomic_files import temporary_beside
 from ..common.errors import OutputError
 from ..common.software import code_fingerprint
@@ -27,13 +27,19 @@ MOST_FILES = 4000
 
 @dataclass(frozen=True, eq=False)
 class Scan:
-    """Extents (3,) of all points in the tile's own CRS, and of the points that are used in the survey's, and where these are."""
+    """Extents (3,) of all points in the tile's own CRS, and of the points that are used in the survey's, and where these are.
+
+    Of the points that are used also the first and last GPS time (2,), infinity and its negative where there is none, and the point source
+    IDs that occur (k,).
+    """
 
     raw_low: FloatArray
     raw_high: FloatArray
     low: FloatArray
     high: FloatArray
     cells: Occupancy
+    times: FloatArray
+    sources: IntArray
 
 
 def key_of(path: Path, settings: str) -> str:
@@ -51,7 +57,7 @@ def load(key: str) -> Scan | None:
     try:
         with np.load(folder / f"{key}.npz", allow_pickle=False) as kept:
             cells = Occupancy(int(kept["level"]), kept["cells"], kept["counts"], kept["heights"])
-            return Scan(kept["raw_low"], kept["raw_high"], kept["low"], kept["high"], cells)
+            return Scan(kept["raw_low"], kept["raw_high"], kept["low"], kept["high"], cells, kept["times"], kept["sources"])
     except Exception:
         # a damaged archive raises whatever its bytes lead to, as in array_files.load_arrays
         return None
@@ -67,6 +73,7 @@ def store(key: str, scan: Scan) -> None:
     np.savez_compressed(
         buffer, raw_low=scan.raw_low, raw_high=scan.raw_high, low=scan.low, high=scan.high,
         level=np.array(cells.level), cells=cells.cells, counts=cells.counts, heights=cells.heights,
+        times=scan.times, sources=scan.sources,
     )  # fmt: skip
     # a memory that cannot be kept is no loss
     with contextlib.suppress(OSError, OutputError), temporary_beside(folder / f"{key}.npz") as temporary:

@@ -30,6 +30,8 @@ def scanned(
         return known
     extents = np.full((4, 3), np.inf)
     parts = [Occupancy.empty(level)]
+    times = np.array([np.inf, -np.inf])
+    sources = np.empty(0, dtype=np.int64)
     with open_points(header) as reader:
         for chunk in chunks_of(reader, header):
             if is_cancelled():
@@ -38,14 +40,21 @@ def scanned(
             if not len(xyz):
                 continue
             extents[0], extents[1] = np.minimum(extents[0], xyz.min(axis=0)), np.minimum(extents[1], -xyz.max(axis=0))
-            used = xyz[usable(chunk)]
+            keep = usable(chunk)
+            sources = np.union1d(sources, np.asarray(chunk.point_source_id)[keep].astype(np.int64))
+            if header.has_time:
+                seconds = np.asarray(chunk.gps_time, dtype=np.float64)[keep]
+                seconds = seconds[np.isfinite(seconds)]
+                if len(seconds):
+                    times = np.array([min(times[0], seconds.min()), max(times[1], seconds.max())])
+            used = xyz[keep]
             if apply is not None:
                 used = apply(used)
                 used = used[np.isfinite(used).all(axis=1)]
             if len(used):
                 extents[2], extents[3] = np.minimum(extents[2], used.min(axis=0)), np.minimum(extents[3], -used.max(axis=0))
                 parts = [merged([*parts, Occupancy.of(used, level)]).bounded()]
-    scan = Scan(extents[0], -extents[1], extents[2], -extents[3], parts[0])
+    scan = Scan(extents[0], -extents[1], extents[2], -extents[3], parts[0], times, sources)
     scan_cache.store(key, scan)
     return scan
 

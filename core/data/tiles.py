@@ -5,6 +5,7 @@ What a header says of the extent is compared with the points, which are counted 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -96,6 +97,10 @@ class TileInfo:
         Least step of its coordinates, metres.
     cells
         Where the points that are used are, in the survey's CRS; None where they were not looked at.
+    times
+        First and last GPS time of these; infinity and its negative where they have none.
+    sources
+        Point source IDs that occur among them.
     """
 
     path: Path
@@ -120,6 +125,8 @@ class TileInfo:
     main: tuple[Corner, Corner] | None = None
     resolution: float = 0.001
     cells: Occupancy | None = field(default=None, compare=False, repr=False)
+    times: tuple[float, float] = (math.inf, -math.inf)
+    sources: tuple[int, ...] = ()
 
     @property
     def used(self) -> int:
@@ -445,6 +452,8 @@ def _tile_of(header: LasHeader, scan: Scan | None, transform: TileTransform, rem
         dropped=0 if scan is None else header.count - scan.cells.points,
         resolution=float(header.scales.max()),
         cells=None if scan is None else scan.cells,
+        times=(math.inf, -math.inf) if scan is None else (float(scan.times[0]), float(scan.times[1])),
+        sources=() if scan is None else tuple(scan.sources.tolist()),
     )
 
 

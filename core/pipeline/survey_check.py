@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from datetime import UTC, datetime, timedelta
 from functools import partial
 from itertools import pairwise
 from pathlib import Path
@@ -16,7 +17,17 @@ from ..common.errors import InputError
 from ..common.feedback import Feedback
 from ..data.crs import LOCAL
 from ..data.occupancy import Occupancy, common_height_shift, level_for, merged, share_that_differs
-from ..data.plausibility import FAR_CONTROL, Place, check_near, check_scale, check_sds, height_systems
+from ..data.plausibility import (
+    FAR_CONTROL,
+    Place,
+    check_near,
+    check_scale,
+    check_sds,
+    check_station_ids,
+    check_times,
+    height_systems,
+    said_of_shift,
+)
 from ..data.point_tables import read_targets
 from ..data.survey import Epoch, LayerFile, Survey
 from ..data.tiles import TileInfo, inspect_tile, stray_place, without_strays
@@ -39,6 +50,8 @@ SENSOR_REACH, SENSOR_HEIGHT = 5000.0, 8000.0
 """Metres within which a sensor was that measured a tile."""
 APART = 1000.0
 """Metres between the clouds of two epochs of what cannot be one site."""
+FIRST_SCANS = 1990
+"""Year before which nobody scanned a breakwater."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,7 +125,7 @@ def check_survey(survey: Survey, feedback: Feedback) -> SurveyCheck:
         place = _place(kept, survey.crs, height)
         findings += _dropped(epoch, own)
         findings += _density(epoch, kept, height)
-        findings += _tables(epoch, survey, place, {finding.what for finding in unreadable})
+        findings += _tables(epoch, survey, place, kept, {finding.what for finding in unreadable})
     findings += _whole(survey, tiles, height)
     return SurveyCheck(findings=tuple(findings), tiles=tiles)
 
@@ -250,14 +263,14 @@ def _readable(epoch: Epoch) -> Iterator[Finding]:
             yield _tried(epoch, what, path.name, partial(read, path))
 
 
-def _tables(epoch: Epoch, survey: Survey, place: Place, unreadable: set[str]) -> Iterator[Finding]:
+def _tables(epoch: Epoch, survey: Survey, place: Place, tiles: Sequence[TileInfo], unreadable: set[str]) -> Iterator[Finding]:
     """Verdict on each of the epoch's tables that can be read, against its cloud."""
-    checks: list[tuple[str, Path | None, Callable[[], None]]] = [
+    checks: list[tuple[str, Path | None, Callable[[], object]]] = [
         ("targets", epoch.targets, lambda: _check_targets(epoch, place)),
         ("control", epoch.control, lambda: _check_control(epoch, survey, place)),
         ("check", epoch.check, lambda: _check_check(epoch, survey, place)),
-        ("trajectory", epoch.trajectory, lambda: _check_trajectory(epoch, place)),
-        ("stations", epoch.stations, lambda: _check_stations(epoch, place)),
+        ("trajectory", epoch.trajectory, lambda: _check_trajectory(epoch, place, tiles)),
+        ("stations", epoch.stations, lambda: _check_stations(epoch, place, tiles)),
     ]
     useless = set(unreadable)
     for what, path, check in checks:
@@ -266,35 +279,53 @@ def _tables(epoch: Epoch, survey: Survey, place: Place, unreadable: set[str]) ->
             useless |= {what} if found.error is not None else set()
             yield found
     if epoch.targets is not None and not useless & {"targets", "control"}:
-        found = _tried(epoch, "targets", epoch.targets.name, lambda: register_to_control([epoch], survey.crs))
-        if found.error is not None:
+        found = _tried(epoch, "targets", epoch.targets.name, lambda: _check_registration(epoch, survey, place))
+        if found.verdict != "ok":
             yield found
 
 
 def _tried(epoch: Epoch | None, what: str, name: str, check: Callable[[], object]) -> Finding:
+    """Verdict of a check that raises what cannot be used and returns a sentence on what can, but should be looked at."""
     try:
-        check()
+        said = check()
     except InputError as error:
         return _refused(epoch, what, error, name)
-    return Finding(verdict="ok", what=what, name=name, epoch="" if epoch is None else epoch.label)
+    label = "" if epoch is None else epoch.label
+    if isinstance(said, str) and said:
+        return Finding(verdict="warning", what=what, name=name, epoch=label, message=said)
+    return Finding(verdict="ok", what=what, name=name, epoch=label)
 
 
-def _check_control(epoch: Epoch, survey: Survey, place: Place) -> None:
+def _in_survey_crs(survey: Survey, place: Place) -> bool:
+    """Whether a cloud lies in the CRS of the survey: one near the zero point may be in the frame of its scanner."""
+    return survey.crs != LOCAL and min(np.abs(place.low[:2])) > FAR_CONTROL
+
+
+def _check_control(epoch: Epoch, survey: Survey, place: Place) -> str:
     if epoch.control is None:
-        return
+        return ""
     points = surveyed_control(epoch, epoch.control, survey.crs)
-    check_sds(points.sds, points.ids, source=epoch.control)
-    # a cloud near the zero point may be in the frame of its scanner, which registration takes to control
-    if survey.crs != LOCAL and min(np.abs(place.low[:2])) > FAR_CONTROL:
+    said = check_sds(points.sds, points.ids, source=epoch.control)
+    if _in_survey_crs(survey, place):
         check_near(points.coordinates, points.ids, place, source=epoch.control, what="control points", reach=FAR_CONTROL, each=False)
+    return said
 
 
-def _check_targets(epoch: Epoch, place: Place) -> None:
+def _check_targets(epoch: Epoch, place: Place) -> str:
     if epoch.targets is None:
-        return
+        return ""
     points = read_targets(epoch.targets)
-    check_sds(points.sds, points.ids, source=epoch.targets)
+    said = check_sds(points.sds, points.ids, source=epoch.targets)
     check_near(points.coordinates, points.ids, place, source=epoch.targets, what="targets")
+    return said
+
+
+def _check_registration(epoch: Epoch, survey: Survey, place: Place) -> str:
+    transformation = register_to_control([epoch], survey.crs)[epoch.label].transformation
+    if epoch.control is None or not _in_survey_crs(survey, place):
+        return ""
+    middle = np.add(place.low, place.high)[None] / 2
+    return said_of_shift((transformation.apply(middle) - middle)[0], source=epoch.control)
 
 
 def _check_check(epoch: Epoch, survey: Survey, place: Place) -> None:
@@ -313,14 +344,26 @@ def _check_check(epoch: Epoch, survey: Survey, place: Place) -> None:
     check_near(positions, names, place, source=epoch.check, what="check points", reach=APART)
 
 
-def _check_trajectory(epoch: Epoch, place: Place) -> None:
+def _check_trajectory(epoch: Epoch, place: Place, tiles: Sequence[TileInfo]) -> str:
+    if epoch.trajectory is None:
+        return ""
+    trajectory = read_trajectory(epoch.trajectory)
+    _check_sensor(trajectory.positions, place, epoch.trajectory, "positions of the trajectory")
+    if float(trajectory.positions[:, 2].max()) < place.low[2]:
+        return f"{epoch.trajectory.name}: runs below all points of the epoch: are its heights in another system?"
+    # points of a station need no trajectory
+    times = [(tile.path.name, *tile.times) for tile in tiles]
+    return "" if epoch.stations is not None else check_times(trajectory.times, times, source=epoch.trajectory)
+
+
+def _check_stations(epoch: Epoch, place: Place, tiles: Sequence[TileInfo]) -> str:
+    if epoch.stations is None:
+        return ""
+    stations = read_stations(epoch.stations)
+    _check_sensor(np.array(list(stations.values())), place, epoch.stations, "stations")
     if epoch.trajectory is not None:
-        _check_sensor(read_trajectory(epoch.trajectory).positions, place, epoch.trajectory, "positions of the trajectory")
-
-
-def _check_stations(epoch: Epoch, place: Place) -> None:
-    if epoch.stations is not None:
-        _check_sensor(np.array(list(read_stations(epoch.stations).values())), place, epoch.stations, "stations")
+        return ""
+    return check_station_ids(list(stations), sorted({number for tile in tiles for number in tile.sources}), source=epoch.stations)
 
 
 def _check_sensor(positions: FloatArray, place: Place, source: Path, what: str) -> None:
@@ -344,6 +387,10 @@ def _whole(survey: Survey, tiles: dict[str, tuple[TileInfo, ...]], height: float
     if said:
         yield Finding(verdict="warning", what="survey", name="heights", message=said)
     clouds = {label: merged([tile.cells for tile in own if tile.cells is not None]) for label, own in tiles.items()}
+    for epoch in survey.epochs:
+        yield from _moment(epoch)
+    for one, other in pairwise(epoch for epoch in survey.epochs if epoch.label in tiles):
+        yield from _copies(one, other, tiles)
     alone = [epoch for epoch in survey.epochs if epoch.label in tiles and epoch.control is None]
     for one, other in pairwise(alone):
         yield from _between(one, other, clouds, _place(tiles[one.label], survey.crs, height), tiles[other.label])
@@ -355,6 +402,26 @@ def _whole(survey: Survey, tiles: dict[str, tuple[TileInfo, ...]], height: float
                 check = partial(check_near, ring, (), place, source=survey.path, what=name, reach=0.0, each=False)
                 found = _tried(None, "survey", name, check)
                 yield replace(found, verdict="warning", error=None, message=f"{found.message} No unit of that type is looked for.")
+
+
+def _moment(epoch: Epoch) -> Iterator[Finding]:
+    """A time at which no tile was measured: before there were scanners, or in the future."""
+    ahead = epoch.time > datetime.now(UTC) + timedelta(days=1)
+    if ahead or epoch.time.year < FIRST_SCANS:
+        said = f"{epoch.label}: its time, {epoch.time:%Y-%m-%d}, lies {'in the future' if ahead else 'before clouds were measured'}"
+        yield Finding(verdict="warning", what="epoch", name="time", epoch=epoch.label, message=said)
+
+
+def _copies(one: Epoch, other: Epoch, tiles: dict[str, tuple[TileInfo, ...]]) -> Iterator[Finding]:
+    """Tiles of an epoch that are those of the one before: what they show has not moved."""
+    before: dict[int, list[TileInfo]] = {}
+    for tile in tiles[one.label]:
+        before.setdefault(tile.used, []).append(tile)
+    for tile in tiles[other.label]:
+        twin = next((old for old in before.get(tile.used, ()) if _same_points(tile, old)), None)
+        if twin is not None:
+            said = f"{tile.path.name}: holds the same points in epoch {other.label} as {twin.path.name} in epoch {one.label}"
+            yield Finding(verdict="warning", what="tile", name=tile.path.name, epoch=other.label, message=said)
 
 
 def _check_areas(survey: Survey, areas: LayerFile) -> None:

@@ -56,6 +56,9 @@ def test_sound_control_passes(site: Path) -> None:
         (lambda p: np.column_stack(Transformer.from_crs(32650, 32651, always_xy=True).transform(*p.T)), "They seem to be in EPSG:32651"),
         (lambda p: np.column_stack([*Transformer.from_crs(32650, 4326, always_xy=True).transform(*p[:, :2].T), p[:, 2]]), "degrees"),
         (lambda p: p - ORIGIN, "in a local frame"),
+        (lambda p: p + np.array([50e6, 0, 0]), "-50000000 m in easting would bring them there"),
+        (lambda p: p + np.array([0, 10e6, 0]), "-10000000 m in northing would bring them there"),
+        (lambda p: p - np.array([0, 3e6, 0]), "+3000000 m in northing would bring them there"),
         (lambda p: p + np.array([20_000, 0, 0]), "local or shifted frame"),
     ],
 )
@@ -85,6 +88,77 @@ def test_standard_deviations_in_millimetres(site: Path) -> None:
     said = refused(site, more=write_control(site, sd=3.0))
     assert "control.csv: point T0 has a standard deviation of 3 m" in said
     assert "Then write 0.003" in said
+
+
+def warned(survey: Path) -> list[str]:
+    """What a look at all inputs warns of."""
+    return [finding.message for finding in inspect_survey(read_survey(survey), Feedback()) if finding.verdict == "warning"]
+
+
+def test_standard_deviations_that_are_too_small_or_large(site: Path) -> None:
+    said = refused(site, more=write_control(site, sd=3e-9))
+    assert "T0 has a standard deviation of 3e-09 m, which no survey reaches" in said
+    survey = write_survey(site, more=write_control(site, sd=0.3))
+    assert any("control.csv: point T0 has a standard deviation of 0.3 m; is it in centimetres?" in line for line in warned(survey))
+
+
+@pytest.mark.parametrize(
+    ("shift", "told"),
+    [
+        ((0, 0, 25.0), "lifts the cloud by 25.00 m and leaves it in plan"),
+        ((60.0, 80.0, 0.5), "moves the cloud by 100.0 m in plan and 0.5 m up"),
+        ((1.0, 1.5, 1.2), ""),
+    ],
+)
+def test_control_that_moves_a_cloud_that_is_in_its_crs(site: Path, shift: tuple[float, ...], told: str) -> None:
+    said = warned(write_survey(site, more=write_control(site, TARGETS + np.array(shift), TARGETS)))
+    assert [line for line in said if "the cloud by" in line] == ([line for line in said if told in line] if told else [])
+    assert bool(told) == any("the cloud by" in line for line in said)
+
+
+def test_times_of_a_trajectory_and_of_the_tiles(tmp_path: Path) -> None:
+    noise = "range_sd = 0.02\nangle_sd = 0.01\n"
+    week = 172_800.0
+    write_las(tmp_path / "a.laz", grid_points(2000), time=np.linspace(week, week + 100, 2000))
+
+    def flown(first: float, last: float, height: float = 80.0) -> Path:
+        rows = [f"{time},{ORIGIN[0]},{ORIGIN[1]},{height}" for time in np.arange(first, last, 0.5)]
+        (tmp_path / "flight.csv").write_text("gps_time,x,y,z\n" + "\n".join(rows) + "\n")
+        return write_survey(tmp_path, more=f'trajectory = "flight.csv"\n{noise}')
+
+    def ended(survey: Path) -> str:
+        with pytest.raises(InputError) as caught:
+            plan_survey(read_survey(survey))
+        return str(caught.value)
+
+    assert "seem" not in "".join(warned(flown(week - 1, week + 101)))
+    assert "points of a.laz were measured before or after" in "".join(warned(flown(week + 20, week + 101)))
+    assert "runs below all points" in "".join(warned(flown(week - 1, week + 101, -300.0)))
+    # 2000 weeks after the zero of GPS time: counted on, and less 10^9
+    assert "The tiles count seconds of the GPS week" in ended(flown(2000 * 604_800 + week - 1, 2000 * 604_800 + week + 101))
+    assert "Is it that of another flight?" in ended(flown(week + 200, week + 300))
+    write_las(tmp_path / "a.laz", grid_points(2000), time=np.linspace(0, 100, 2000) + 2000 * 604_800 + week - 1e9)
+    assert "It counts seconds of the GPS week" in ended(flown(week - 1, week + 101))
+    assert "It counts standard GPS time, the tiles do not" in ended(flown(2000 * 604_800 + week - 1, 2000 * 604_800 + week + 101))
+
+
+def test_stations_of_other_numbers(tmp_path: Path) -> None:
+    write_las(tmp_path / "a.laz", grid_points(2000), source=np.repeat([3, 4], 1000))
+    survey = write_survey(tmp_path, more='stations = "stations.csv"\nrange_sd = 0.02\nangle_sd = 0.01\n')
+    place = ",".join(map(str, ORIGIN))
+    (tmp_path / "stations.csv").write_text(f"point_source_id,x,y,z\n1,{place}\n2,{place}\n")
+    with pytest.raises(InputError, match="whose point source IDs are 3, 4"):
+        plan_survey(read_survey(survey))
+    (tmp_path / "stations.csv").write_text(f"point_source_id,x,y,z\n3,{place}\n2,{place}\n")
+    assert any("has no station for point source ID 4" in line for line in warned(survey))
+
+
+def test_an_epoch_of_another_time_or_with_the_tiles_of_another(tmp_path: Path) -> None:
+    path = epochs_of(tmp_path, grid_points(6000))
+    path.write_text(path.read_text().replace("2024-02", "2204-02"))
+    said = warned(path)
+    assert any("two.laz: holds the same points in epoch two as one.laz in epoch one" in line for line in said)
+    assert any("two: its time, 2204-02-14, lies in the future" in line for line in said)
 
 
 def test_keys_of_control_hold_for_the_check_too(site: Path) -> None:
