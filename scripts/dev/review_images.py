@@ -1,7 +1,8 @@
 """Pictures of the review dock for the documentation, from a synthetic result.
 
 Run with QGIS's Python under a display, once per theme and size, for example
-``xvfb-run -a -s "-screen 0 1920x1080x24" .venv-qgis/bin/python scripts/dev/review_images.py dark 1366 768``.
+``xvfb-run -a -s "-screen 0 1920x1080x24" .venv-qgis/bin/python scripts/dev/review_images.py dark 1366 768``; a language after the
+folder shows the translated dock, which wants fonts for it.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from qgis.gui import QgsLayerTreeMapCanvasBridge, QgsMapCanvas
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QMainWindow
 from synthetic_result import SRS, write_points, write_result
+from tetratrack.algorithms.support.translation import load_translator
 
 THEMES = {"light": "default", "dark": "Night Mapping"}
 SETTLE_SECONDS = 1.5
@@ -33,10 +35,13 @@ def settle(application: QgsApplication, seconds: float = SETTLE_SECONDS) -> None
         time.sleep(0.02)
 
 
-def main(theme: str, width: int, height: int, folder: Path) -> None:
+def main(theme: str, width: int, height: int, folder: Path, language: str = "") -> None:
     """Write one picture per page of the dock into ``folder``."""
     application = QgsApplication([], True)
     application.initQgis()
+    translator = load_translator(conftest.ROOT / "i18n", language)
+    if translator is not None:
+        application.installTranslator(translator)
     QgsApplication.setUITheme(THEMES[theme])
     from tetratrack.plugin.review_dock import ReviewDock
 
@@ -68,7 +73,7 @@ def main(theme: str, width: int, height: int, folder: Path) -> None:
         for page, tab in enumerate(("views", "series", "numbers", "history")):
             dock.tabs.setCurrentIndex(page)
             settle(application, 0.3)
-            window.grab().save(str(folder / f"review_{tab}_{theme}_{width}x{height}.png"))
+            window.grab().save(str(folder / f"review_{tab}_{theme}_{width}x{height}{language and '_'}{language}.png"))
         dock.close()
         window.close()
         window.deleteLater()
@@ -77,4 +82,5 @@ def main(theme: str, width: int, height: int, folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), Path(sys.argv[4]) if len(sys.argv) > 4 else conftest.ROOT / "docs" / "images")
+    images = Path(sys.argv[4]) if len(sys.argv) > 4 else conftest.ROOT / "docs" / "images"
+    main(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), images, *sys.argv[5:6])

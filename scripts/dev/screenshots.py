@@ -39,7 +39,7 @@ def load_result() -> None:
     from importlib import import_module
 
     package = type(plugins[next(name for name in plugins if hasattr(plugins[name], "show_review"))]).__module__.split(".")[0]
-    layers = import_module(f"{package}.plugin.layers")
+    layers = import_module(f"{package}.algorithms.support.layers")
     group = QgsProject.instance().layerTreeRoot().insertGroup(0, RESULT.stem)
     for name in layers.DRAWING_ORDER:
         layer = QgsVectorLayer(f"{RESULT}|layername={name}", layers.layer_title(name), "ogr")
