@@ -18,7 +18,7 @@ setup_qgis() {
     local release
     release="$(. /etc/os-release && echo "$VERSION_CODENAME")"
     step "QGIS from Debian backports" "run: apt-get install -t $release-backports qgis python3-qgis xvfb xauth"
-    if ! installed qgis python3-qgis xvfb xauth python3-venv qttools5-dev-tools; then
+    if ! installed qgis python3-qgis xvfb xauth python3-venv qttools5-dev-tools git; then
         if ! apt-cache policy qgis 2>/dev/null | grep -q backports; then
             # the mirror this machine uses already, whichever it is
             local mirror
@@ -26,7 +26,8 @@ setup_qgis() {
             echo "deb $mirror $release-backports main" | as_root tee /etc/apt/sources.list.d/tetratrack-backports.list >/dev/null
             apt_updated=false
         fi
-        apt_install python3-venv xvfb xauth qttools5-dev-tools
+        # git: the plugin's ZIP is made of what is committed, and a checkout may have come without it
+        apt_install python3-venv xvfb xauth qttools5-dev-tools git
         apt_install -t "$release-backports" qgis python3-qgis
     fi
     step "Python environment of the QGIS tests in .venv-qgis" "delete .venv-qgis and run again"
