@@ -4,12 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from qgis.core import (
-    Qgis,
-    QgsProcessingContext,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-)
+from qgis.core import QgsProcessingParameterFileDestination
 
 from .base import Texts
 from .result_algorithm import ResultAlgorithm
@@ -22,7 +17,6 @@ class CrossSections(ResultAlgorithm):
     ID = "crosssections"
     ICON = "track.svg"
     COMMAND = "profiles"
-    STEP = "STEP"
 
     def texts(self) -> Texts:
         return Texts(
@@ -37,18 +31,10 @@ class CrossSections(ResultAlgorithm):
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:
         self.add_result()
-        step = QgsProcessingParameterNumber(
-            self.STEP, tr("Distance of the sections (m)"), Qgis.ProcessingNumberParameterType.Double, None, True, 0.1
-        )
-        self.add(step, tr("Metres along the axis; four heights of a unit unless given."))
+        self.add_step()
         self.add_profile(judged=False)
         self.add_axis()
         self.add(
             QgsProcessingParameterFileDestination(self.OUTPUT, tr("Sections"), "GeoPackage (*.gpkg)"),
             tr("GeoPackage with the layers sections, crest and settlement."),
         )
-
-    def more_arguments(self, parameters: dict[str, Any], context: QgsProcessingContext) -> list[str]:
-        if parameters.get(self.STEP) is None:
-            return []
-        return ["--step", repr(self.parameterAsDouble(parameters, self.STEP, context))]

@@ -26,6 +26,8 @@ class DisplacementReport(ResultAlgorithm):
     COMMAND = "report"
     FROM, TO, DATUM, WIDTH, SECTION, WORST = "FROM", "TO", "DATUM", "WIDTH", "SECTION", "WORST"
     DATUMS = ("", "stable", "control")
+    BANDS = "BANDS"
+    PRESETS = ("usace", "cm", "dn")
 
     def texts(self) -> Texts:
         return Texts(
@@ -59,6 +61,14 @@ class DisplacementReport(ResultAlgorithm):
         ):
             number = QgsProcessingParameterNumber(name, label, Qgis.ProcessingNumberParameterType.Double, None, True, 1e-3)
             self.add(number, meaning, advanced=True)
+        bands = [tr("0.09, 0.30 and 0.61 m (US Army Corps of Engineers)"), tr("5 and 10 cm"), tr("0.5 and 1 Dn (nominal diameter)")]
+        self.add(
+            QgsProcessingParameterEnum(self.BANDS, tr("Movement bands"), bands, False, 0),
+            tr("Limits by which the units are counted that moved."),
+        )
+        self.add_step(advanced=True)
+        self.add_plan(advanced=True)
+        self.add_profile(judged=True, advanced=True)
         self.add(
             QgsProcessingParameterNumber(
                 self.WORST, tr("Units shown one by one"), Qgis.ProcessingNumberParameterType.Integer, 8, False, 0, 500
@@ -77,6 +87,7 @@ class DisplacementReport(ResultAlgorithm):
             ("--from", self.parameterAsString(parameters, self.FROM, context).strip()),
             ("--to", self.parameterAsString(parameters, self.TO, context).strip()),
             ("--datum", self.DATUMS[self.parameterAsEnum(parameters, self.DATUM, context)]),
+            ("--bands", self.PRESETS[self.parameterAsEnum(parameters, self.BANDS, context)]),
             ("--worst", str(self.parameterAsInt(parameters, self.WORST, context))),
         ]
         for option, name in (("--width", self.WIDTH), ("--section", self.SECTION)):

@@ -11,7 +11,9 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeedback,
     QgsProcessingOutputNumber,
+    QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterNumber,
 )
 
 from .base import TetratrackAlgorithm, Texts
@@ -24,7 +26,7 @@ class ExtractFeaturePoints(TetratrackAlgorithm):
 
     ID = "extractfeaturepoints"
     ICON = "features.svg"
-    INPUT, OUTPUT = "INPUT", "OUTPUT"
+    INPUT, END_DISCS, LEG_LENGTH, OUTPUT = "INPUT", "END_DISCS", "LEG_LENGTH", "OUTPUT"
 
     def texts(self) -> Texts:
         return Texts(
@@ -42,6 +44,17 @@ class ExtractFeaturePoints(TetratrackAlgorithm):
             QgsProcessingParameterFeatureSource(self.INPUT, tr("Fitted units"), [Qgis.ProcessingSourceType.VectorPoint]),
             tr("Layer of units from Fit tetrapods or Monitor a survey."),
         )
+        self.add(
+            QgsProcessingParameterBoolean(self.END_DISCS, tr("Centres of the end discs as well"), False),
+            tr("Points d1 to d4, which crews can measure and paint."),
+        )
+        self.add(
+            QgsProcessingParameterNumber(
+                self.LEG_LENGTH, tr("Leg length (m)"), Qgis.ProcessingNumberParameterType.Double, None, True, 1e-6
+            ),
+            tr("From the centre to the end disc, in metres; empty takes 0.644 H."),
+            advanced=True,
+        )
         self.add_layer_sink(self.OUTPUT, "feature_points")
         self.addOutput(QgsProcessingOutputNumber("POINT_COUNT", tr("Points")))
 
@@ -55,7 +68,10 @@ class ExtractFeaturePoints(TetratrackAlgorithm):
             folder = Path(scratch)
             units = write_layers([source], folder / "units.gpkg", "units", context)
             result = folder / "result.gpkg"
-            if self.run_engine(["features", str(units), "--output", str(result)], feedback) is None:
+            more = ["--end-discs"] if self.parameterAsBoolean(parameters, self.END_DISCS, context) else []
+            if more and parameters.get(self.LEG_LENGTH) is not None:
+                more += ["--leg-length", repr(self.parameterAsDouble(parameters, self.LEG_LENGTH, context))]
+            if self.run_engine(["features", str(units), "--output", str(result), *more], feedback) is None:
                 return {}
             identifier, count = self.copy_to_sink(result, "feature_points", parameters, self.OUTPUT, context)
         return {self.OUTPUT: identifier, "POINT_COUNT": count}

@@ -32,7 +32,7 @@ class ResultAlgorithm(TetratrackAlgorithm):
     """Outputs, by what the engine calls them."""
     INPUT, EPOCH, OUTPUT = "INPUT", "EPOCH", "OUTPUT"
     PLAN, TOLERANCE, TURN = "PLAN", "TOLERANCE", "TURN_TOLERANCE"
-    PROFILE, PROFILE_TOLERANCE, REFERENCE, AXIS = "PROFILE", "PROFILE_TOLERANCE", "REFERENCE", "AXIS"
+    PROFILE, PROFILE_TOLERANCE, REFERENCE, AXIS, STEP = "PROFILE", "PROFILE_TOLERANCE", "REFERENCE", "AXIS", "STEP"
 
     def add_result(self) -> None:
         """Add the result."""
@@ -47,7 +47,7 @@ class ResultAlgorithm(TetratrackAlgorithm):
         usual = tr("Label of the epoch whose units are looked at; the latest one with units unless given.")
         self.add(QgsProcessingParameterString(self.EPOCH, tr("Epoch"), optional=True), meaning or usual)
 
-    def add_plan(self) -> None:
+    def add_plan(self, *, advanced: bool = False) -> None:
         """Add a placement plan with its tolerances."""
         self.add(
             QgsProcessingParameterString(self.PLAN, tr("Placement plan"), optional=True),
@@ -55,11 +55,13 @@ class ResultAlgorithm(TetratrackAlgorithm):
                 "Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points "
                 "with heights (FILE|layername=NAME)."
             ),
+            advanced=advanced,
         )
-        self._add_number(self.TOLERANCE, tr("Tolerance of places (m)"), tr("Metres a unit may be from its planned place."))
-        self._add_number(self.TURN, tr("Tolerance of turns (°)"), tr("Degrees a unit may be turned from its planned orientation."))
+        turns = tr("Degrees a unit may be turned from its planned orientation.")
+        self._add_number(self.TOLERANCE, tr("Tolerance of places (m)"), tr("Metres a unit may be from its planned place."), advanced)
+        self._add_number(self.TURN, tr("Tolerance of turns (°)"), turns, advanced)
 
-    def add_profile(self, *, judged: bool) -> None:
+    def add_profile(self, *, judged: bool, advanced: bool = False) -> None:
         """Add a design profile, with its tolerance where units are ``judged`` by it."""
         self.add(
             QgsProcessingParameterString(self.PROFILE, tr("Design profile"), optional=True),
@@ -67,9 +69,11 @@ class ResultAlgorithm(TetratrackAlgorithm):
                 "Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several "
                 "are its edges."
             ),
+            advanced=advanced,
         )
         if judged:
-            self._add_number(self.PROFILE_TOLERANCE, tr("Tolerance of the profile (m)"), tr("Metres a unit may be off the design profile."))
+            meaning = tr("Metres a unit may be off the design profile.")
+            self._add_number(self.PROFILE_TOLERANCE, tr("Tolerance of the profile (m)"), meaning, advanced)
             words = [tr("outermost point of a unit"), tr("centre of a unit")]
             self.add(
                 QgsProcessingParameterEnum(self.REFERENCE, tr("Judged against the profile"), words, False, 0),
@@ -85,9 +89,16 @@ class ResultAlgorithm(TetratrackAlgorithm):
             advanced=True,
         )
 
-    def _add_number(self, name: str, label: str, meaning: str) -> None:
+    def add_step(self, *, advanced: bool = False) -> None:
+        """Add the distance of the cross-sections."""
+        step = QgsProcessingParameterNumber(
+            self.STEP, tr("Distance of the sections (m)"), Qgis.ProcessingNumberParameterType.Double, None, True, 0.1
+        )
+        self.add(step, tr("Metres along the axis; four heights of a unit unless given."), advanced=advanced)
+
+    def _add_number(self, name: str, label: str, meaning: str, advanced: bool) -> None:
         number = QgsProcessingParameterNumber(name, label, Qgis.ProcessingNumberParameterType.Double, None, True, 0.0)
-        self.add(number, meaning)
+        self.add(number, meaning, advanced=advanced)
 
     def arguments(self, command: str, parameters: dict[str, Any], context: QgsProcessingContext, target: str) -> list[str]:
         """Arguments of the engine for what was chosen."""
@@ -96,7 +107,10 @@ class ResultAlgorithm(TetratrackAlgorithm):
             raise QgsProcessingException(self.invalidSourceError(parameters, self.INPUT))
         arguments = [command, result, "--output", target]
         texts = (("--epoch", self.EPOCH), ("--plan", self.PLAN), ("--profile", self.PROFILE), ("--axis", self.AXIS))
-        numbers = (("--tolerance", self.TOLERANCE), ("--turn-tolerance", self.TURN), ("--profile-tolerance", self.PROFILE_TOLERANCE))
+        numbers = (
+            ("--tolerance", self.TOLERANCE), ("--turn-tolerance", self.TURN), ("--profile-tolerance", self.PROFILE_TOLERANCE),
+            ("--step", self.STEP),
+        )  # fmt: skip
         for option, name in texts:
             if self.parameterDefinition(name) is not None and (text := self.parameterAsString(parameters, name, context).strip()):
                 arguments += [option, text]

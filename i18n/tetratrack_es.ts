@@ -130,16 +130,6 @@
     </message>
     <message>
       <location filename="../algorithms/crosssections.py" />
-      <source>Distance of the sections (m)</source>
-      <translation>Distancia de las secciones (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/crosssections.py" />
-      <source>Metres along the axis; four heights of a unit unless given.</source>
-      <translation>Metros a lo largo del eje; por defecto cuatro alturas de bloque.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/crosssections.py" />
       <source>GeoPackage with the layers sections, crest and settlement.</source>
       <translation>GeoPackage con las capas sections, crest y settlement.</translation>
     </message>
@@ -200,6 +190,26 @@
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
+      <source>0.09, 0.30 and 0.61 m (US Army Corps of Engineers)</source>
+      <translation>0,09, 0,30 y 0,61 m (US Army Corps of Engineers)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>5 and 10 cm</source>
+      <translation>5 y 10 cm</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>0.5 and 1 Dn (nominal diameter)</source>
+      <translation>0,5 y 1 Dn (diámetro nominal)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Limits by which the units are counted that moved.</source>
+      <translation>Límites con los que se cuentan los bloques que se movieron.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
       <source>So many of those that moved most get views, series and decisions of their own.</source>
       <translation>Tantos de los que más se movieron reciben vistas, series y decisiones propias.</translation>
     </message>
@@ -247,6 +257,11 @@
       <location filename="../algorithms/displacementreport.py" />
       <source>Length of the sections along the axis, in metres.</source>
       <translation>Longitud de los tramos a lo largo del eje, en metros.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Movement bands</source>
+      <translation>Clases de movimiento</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -320,8 +335,28 @@
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Points d1 to d4, which crews can measure and paint.</source>
+      <translation>Puntos d1 a d4, que las cuadrillas pueden medir y pintar.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
+      <translation>Del centro al disco extremo, en metros; vacío toma 0,644 H.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
       <source>Fitted units</source>
       <translation>Piezas ajustadas</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Centres of the end discs as well</source>
+      <translation>También los centros de los discos de los extremos</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Leg length (m)</source>
+      <translation>Longitud de la pata (m)</translation>
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
@@ -940,6 +975,11 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>Grados que un bloque puede estar girado respecto a la orientación prevista.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
       <source>GeoPackage written by Monitor a survey.</source>
       <translation>GeoPackage escrito por Seguir un levantamiento.</translation>
     </message>
@@ -965,18 +1005,28 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>Grados que un bloque puede estar girado respecto a la orientación prevista.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/result_algorithm.py" />
       <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
       <translation>Ruta de un DXF o de una capa de líneas con cotas: una sola línea es una sección a lo largo de toda la estructura, varias son sus aristas.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>Metros que un bloque puede distar del perfil de proyecto.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
       <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
       <translation>Lugares easting,northing a lo largo del eje, separados por espacios; por defecto la dirección más larga de los bloques.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Distance of the sections (m)</source>
+      <translation>Distancia de las secciones (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres along the axis; four heights of a unit unless given.</source>
+      <translation>Metros a lo largo del eje; por defecto cuatro alturas de bloque.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -997,11 +1047,6 @@
       <location filename="../algorithms/result_algorithm.py" />
       <source>Tolerance of the profile (m)</source>
       <translation>Tolerancia del perfil (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/result_algorithm.py" />
-      <source>Metres a unit may be off the design profile.</source>
-      <translation>Metros que un bloque puede distar del perfil de proyecto.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1800,11 +1845,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
-      <translation>Del centro al disco extremo, en metros; vacío toma 0,644 H.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
       <source>Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations.</source>
       <translation>Los tetrápodos reales son tetraédricos; 120° entre la pata 1 y las demás repite las ecuaciones publicadas.</translation>
     </message>
@@ -1902,11 +1942,6 @@
       <location filename="../algorithms/support/inputs.py" />
       <source>Taper of the leg</source>
       <translation>Conicidad de la pata</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
-      <source>Leg length (m)</source>
-      <translation>Longitud de la pata (m)</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -3922,11 +3957,6 @@
       <location filename="../core/report/templates/section_damage.html" />
       <source>Share</source>
       <translation>Parte</translation>
-    </message>
-    <message>
-      <location filename="../core/report/templates/section_damage.html" />
-      <source>Movement bands</source>
-      <translation>Clases de movimiento</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />

@@ -130,16 +130,6 @@
     </message>
     <message>
       <location filename="../algorithms/crosssections.py" />
-      <source>Distance of the sections (m)</source>
-      <translation>断面の間隔 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/crosssections.py" />
-      <source>Metres along the axis; four heights of a unit unless given.</source>
-      <translation>軸に沿うメートル。指定しなければブロック高さの 4 倍。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/crosssections.py" />
       <source>GeoPackage with the layers sections, crest and settlement.</source>
       <translation>レイヤ sections、crest、settlement を含む GeoPackage。</translation>
     </message>
@@ -200,6 +190,26 @@
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
+      <source>0.09, 0.30 and 0.61 m (US Army Corps of Engineers)</source>
+      <translation>0.09、0.30、0.61 m(米国陸軍工兵隊)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>5 and 10 cm</source>
+      <translation>5 cm と 10 cm</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>0.5 and 1 Dn (nominal diameter)</source>
+      <translation>0.5 Dn と 1 Dn(公称径)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Limits by which the units are counted that moved.</source>
+      <translation>移動したブロックを数える区分の境界。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
       <source>So many of those that moved most get views, series and decisions of their own.</source>
       <translation>最も動いたもののうちこの数だけ、個別の図、時系列、判定を示します。</translation>
     </message>
@@ -247,6 +257,11 @@
       <location filename="../algorithms/displacementreport.py" />
       <source>Length of the sections along the axis, in metres.</source>
       <translation>軸線に沿った区間の長さ（メートル）。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Movement bands</source>
+      <translation>変位の階級</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -320,8 +335,28 @@
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Points d1 to d4, which crews can measure and paint.</source>
+      <translation>点 d1~d4。現場で測定や塗装ができます。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
+      <translation>中心から端面まで(メートル)。空なら 0.644 H。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
       <source>Fitted units</source>
       <translation>当てはめたブロック</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Centres of the end discs as well</source>
+      <translation>端面円の中心も</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Leg length (m)</source>
+      <translation>脚の長さ(m)</translation>
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
@@ -940,6 +975,11 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>計画方向からの許容回転(度)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
       <source>GeoPackage written by Monitor a survey.</source>
       <translation>「測量のモニタリング」が書き出した GeoPackage。</translation>
     </message>
@@ -965,18 +1005,28 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>計画方向からの許容回転(度)。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/result_algorithm.py" />
       <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
       <translation>DXF または高さを持つ線レイヤのパス。1 本の線は構造物全体に沿う横断面、複数の線はその稜線。</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>設計断面からの許容距離(メートル)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
       <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
       <translation>軸に沿う位置 easting,northing を空白区切りで。指定しなければブロックの最長方向。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Distance of the sections (m)</source>
+      <translation>断面の間隔 (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres along the axis; four heights of a unit unless given.</source>
+      <translation>軸に沿うメートル。指定しなければブロック高さの 4 倍。</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -997,11 +1047,6 @@
       <location filename="../algorithms/result_algorithm.py" />
       <source>Tolerance of the profile (m)</source>
       <translation>断面の許容差 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/result_algorithm.py" />
-      <source>Metres a unit may be off the design profile.</source>
-      <translation>設計断面からの許容距離(メートル)。</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1800,11 +1845,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
-      <translation>中心から端面まで(メートル)。空なら 0.644 H。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
       <source>Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations.</source>
       <translation>実物のテトラポッドは正四面体形。脚1と他の脚の間の120°は論文の式を再現する。</translation>
     </message>
@@ -1902,11 +1942,6 @@
       <location filename="../algorithms/support/inputs.py" />
       <source>Taper of the leg</source>
       <translation>脚のテーパー</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
-      <source>Leg length (m)</source>
-      <translation>脚の長さ(m)</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -3922,11 +3957,6 @@
       <location filename="../core/report/templates/section_damage.html" />
       <source>Share</source>
       <translation>割合</translation>
-    </message>
-    <message>
-      <location filename="../core/report/templates/section_damage.html" />
-      <source>Movement bands</source>
-      <translation>変位の階級</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />

@@ -130,16 +130,6 @@
     </message>
     <message>
       <location filename="../algorithms/crosssections.py" />
-      <source>Distance of the sections (m)</source>
-      <translation>단면 간격 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/crosssections.py" />
-      <source>Metres along the axis; four heights of a unit unless given.</source>
-      <translation>축을 따른 미터. 지정하지 않으면 블록 높이의 4배.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/crosssections.py" />
       <source>GeoPackage with the layers sections, crest and settlement.</source>
       <translation>레이어 sections, crest, settlement가 담긴 GeoPackage.</translation>
     </message>
@@ -200,6 +190,26 @@
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
+      <source>0.09, 0.30 and 0.61 m (US Army Corps of Engineers)</source>
+      <translation>0.09, 0.30, 0.61 m (미국 육군 공병단)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>5 and 10 cm</source>
+      <translation>5 cm와 10 cm</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>0.5 and 1 Dn (nominal diameter)</source>
+      <translation>0.5 Dn과 1 Dn (공칭 지름)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Limits by which the units are counted that moved.</source>
+      <translation>움직인 블록을 세는 구간의 경계.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
       <source>So many of those that moved most get views, series and decisions of their own.</source>
       <translation>가장 많이 움직인 것 중 이만큼은 개별 그림, 시계열, 판정을 싣습니다.</translation>
     </message>
@@ -247,6 +257,11 @@
       <location filename="../algorithms/displacementreport.py" />
       <source>Length of the sections along the axis, in metres.</source>
       <translation>축을 따른 구간의 길이(미터).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Movement bands</source>
+      <translation>변위 구간</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -320,8 +335,28 @@
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Points d1 to d4, which crews can measure and paint.</source>
+      <translation>점 d1~d4. 현장에서 측정하고 칠할 수 있습니다.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
+      <translation>중심에서 끝면까지(미터). 비우면 0.644 H.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
       <source>Fitted units</source>
       <translation>맞춘 블록</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Centres of the end discs as well</source>
+      <translation>끝 원판의 중심도</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Leg length (m)</source>
+      <translation>다리 길이(m)</translation>
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
@@ -940,6 +975,11 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>계획 방향으로부터의 허용 회전(도).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
       <source>GeoPackage written by Monitor a survey.</source>
       <translation>'측량 모니터링'이 쓴 GeoPackage.</translation>
     </message>
@@ -965,18 +1005,28 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>계획 방향으로부터의 허용 회전(도).</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/result_algorithm.py" />
       <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
       <translation>DXF 또는 높이가 있는 선 레이어의 경로. 선 하나는 구조물 전체의 횡단면, 여러 선은 그 모서리.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>설계 단면으로부터의 허용 거리(미터).</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
       <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
       <translation>축을 따라 easting,northing 위치를 공백으로 구분. 지정하지 않으면 블록의 가장 긴 방향.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Distance of the sections (m)</source>
+      <translation>단면 간격 (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres along the axis; four heights of a unit unless given.</source>
+      <translation>축을 따른 미터. 지정하지 않으면 블록 높이의 4배.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -997,11 +1047,6 @@
       <location filename="../algorithms/result_algorithm.py" />
       <source>Tolerance of the profile (m)</source>
       <translation>단면 허용오차 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/result_algorithm.py" />
-      <source>Metres a unit may be off the design profile.</source>
-      <translation>설계 단면으로부터의 허용 거리(미터).</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1800,11 +1845,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
-      <translation>중심에서 끝면까지(미터). 비우면 0.644 H.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
       <source>Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations.</source>
       <translation>실물 테트라포드는 정사면체형이다. 다리 1과 나머지 사이 120°는 논문 식을 재현한다.</translation>
     </message>
@@ -1902,11 +1942,6 @@
       <location filename="../algorithms/support/inputs.py" />
       <source>Taper of the leg</source>
       <translation>다리 테이퍼</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
-      <source>Leg length (m)</source>
-      <translation>다리 길이(m)</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -3922,11 +3957,6 @@
       <location filename="../core/report/templates/section_damage.html" />
       <source>Share</source>
       <translation>비율</translation>
-    </message>
-    <message>
-      <location filename="../core/report/templates/section_damage.html" />
-      <source>Movement bands</source>
-      <translation>변위 구간</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />

@@ -130,16 +130,6 @@
     </message>
     <message>
       <location filename="../algorithms/crosssections.py" />
-      <source>Distance of the sections (m)</source>
-      <translation>Distância dos cortes (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/crosssections.py" />
-      <source>Metres along the axis; four heights of a unit unless given.</source>
-      <translation>Metros ao longo do eixo; por omissão quatro alturas de bloco.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/crosssections.py" />
       <source>GeoPackage with the layers sections, crest and settlement.</source>
       <translation>GeoPackage com as camadas sections, crest e settlement.</translation>
     </message>
@@ -200,6 +190,26 @@
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
+      <source>0.09, 0.30 and 0.61 m (US Army Corps of Engineers)</source>
+      <translation>0,09, 0,30 e 0,61 m (US Army Corps of Engineers)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>5 and 10 cm</source>
+      <translation>5 e 10 cm</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>0.5 and 1 Dn (nominal diameter)</source>
+      <translation>0,5 e 1 Dn (diâmetro nominal)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Limits by which the units are counted that moved.</source>
+      <translation>Limites pelos quais se contam os blocos que se moveram.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
       <source>So many of those that moved most get views, series and decisions of their own.</source>
       <translation>Tantos dos que mais se moveram recebem vistas, séries e decisões próprias.</translation>
     </message>
@@ -247,6 +257,11 @@
       <location filename="../algorithms/displacementreport.py" />
       <source>Length of the sections along the axis, in metres.</source>
       <translation>Comprimento dos trechos ao longo do eixo, em metros.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Movement bands</source>
+      <translation>Classes de movimento</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -320,8 +335,28 @@
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Points d1 to d4, which crews can measure and paint.</source>
+      <translation>Pontos d1 a d4, que as equipas podem medir e pintar.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
+      <translation>Do centro ao disco terminal, em metros; vazio usa 0,644 H.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
       <source>Fitted units</source>
       <translation>Blocos ajustados</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Centres of the end discs as well</source>
+      <translation>Também os centros dos discos das extremidades</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Leg length (m)</source>
+      <translation>Comprimento da perna (m)</translation>
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
@@ -940,6 +975,11 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>Graus que um bloco pode estar rodado em relação à orientação planeada.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
       <source>GeoPackage written by Monitor a survey.</source>
       <translation>GeoPackage escrito por Monitorizar um levantamento.</translation>
     </message>
@@ -965,18 +1005,28 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>Graus que um bloco pode estar rodado em relação à orientação planeada.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/result_algorithm.py" />
       <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
       <translation>Caminho de um DXF ou de uma camada de linhas com cotas: uma só linha é um corte ao longo de toda a estrutura, várias são as suas arestas.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>Metros a que um bloco pode estar do perfil de projeto.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
       <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
       <translation>Lugares easting,northing ao longo do eixo, separados por espaços; por omissão a direção mais longa dos blocos.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Distance of the sections (m)</source>
+      <translation>Distância dos cortes (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres along the axis; four heights of a unit unless given.</source>
+      <translation>Metros ao longo do eixo; por omissão quatro alturas de bloco.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -997,11 +1047,6 @@
       <location filename="../algorithms/result_algorithm.py" />
       <source>Tolerance of the profile (m)</source>
       <translation>Tolerância do perfil (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/result_algorithm.py" />
-      <source>Metres a unit may be off the design profile.</source>
-      <translation>Metros a que um bloco pode estar do perfil de projeto.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1800,11 +1845,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
-      <translation>Do centro ao disco terminal, em metros; vazio usa 0,644 H.</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
       <source>Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations.</source>
       <translation>Os tetrápodes reais são tetraédricos; 120° entre a perna 1 e as outras repete as equações publicadas.</translation>
     </message>
@@ -1902,11 +1942,6 @@
       <location filename="../algorithms/support/inputs.py" />
       <source>Taper of the leg</source>
       <translation>Conicidade da perna</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
-      <source>Leg length (m)</source>
-      <translation>Comprimento da perna (m)</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -3922,11 +3957,6 @@
       <location filename="../core/report/templates/section_damage.html" />
       <source>Share</source>
       <translation>Parte</translation>
-    </message>
-    <message>
-      <location filename="../core/report/templates/section_damage.html" />
-      <source>Movement bands</source>
-      <translation>Classes de movimento</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />

@@ -130,16 +130,6 @@
     </message>
     <message>
       <location filename="../algorithms/crosssections.py" />
-      <source>Distance of the sections (m)</source>
-      <translation>断面间距 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/crosssections.py" />
-      <source>Metres along the axis; four heights of a unit unless given.</source>
-      <translation>沿轴线的米数;不指定则为块体高度的四倍。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/crosssections.py" />
       <source>GeoPackage with the layers sections, crest and settlement.</source>
       <translation>包含图层 sections、crest 和 settlement 的 GeoPackage。</translation>
     </message>
@@ -200,6 +190,26 @@
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
+      <source>0.09, 0.30 and 0.61 m (US Army Corps of Engineers)</source>
+      <translation>0.09、0.30 和 0.61 m(美国陆军工程兵团)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>5 and 10 cm</source>
+      <translation>5 和 10 cm</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>0.5 and 1 Dn (nominal diameter)</source>
+      <translation>0.5 和 1 Dn(公称直径)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Limits by which the units are counted that moved.</source>
+      <translation>统计已移动块体所用的界限。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
       <source>So many of those that moved most get views, series and decisions of their own.</source>
       <translation>移动最大的这么多个块体将各自附上视图、序列和判定。</translation>
     </message>
@@ -247,6 +257,11 @@
       <location filename="../algorithms/displacementreport.py" />
       <source>Length of the sections along the axis, in metres.</source>
       <translation>沿轴线的区段长度（米）。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Movement bands</source>
+      <translation>位移分级</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -320,8 +335,28 @@
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Points d1 to d4, which crews can measure and paint.</source>
+      <translation>点 d1 至 d4,现场人员可以测量和涂漆标记。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
+      <translation>从中心到端面,单位米;留空取 0.644 H。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
       <source>Fitted units</source>
       <translation>已拟合的块体</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Centres of the end discs as well</source>
+      <translation>同时给出端面圆盘的中心</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/extractfeaturepoints.py" />
+      <source>Leg length (m)</source>
+      <translation>腿长(米)</translation>
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
@@ -940,6 +975,11 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
+      <source>Degrees a unit may be turned from its planned orientation.</source>
+      <translation>块体偏离计划方位的允许转角(度)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
       <source>GeoPackage written by Monitor a survey.</source>
       <translation>由“监测测量”写出的 GeoPackage。</translation>
     </message>
@@ -965,18 +1005,28 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>块体偏离计划方位的允许转角(度)。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/result_algorithm.py" />
       <source>Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several are its edges.</source>
       <translation>DXF 或带高程的线图层的路径:单条线是沿整个结构的横断面,多条线是其棱线。</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres a unit may be off the design profile.</source>
+      <translation>块体偏离设计断面的允许距离(米)。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
       <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
       <translation>沿轴线的位置 easting,northing,用空格分隔;不指定则为块体最长方向。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Distance of the sections (m)</source>
+      <translation>断面间距 (m)</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>Metres along the axis; four heights of a unit unless given.</source>
+      <translation>沿轴线的米数;不指定则为块体高度的四倍。</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -997,11 +1047,6 @@
       <location filename="../algorithms/result_algorithm.py" />
       <source>Tolerance of the profile (m)</source>
       <translation>断面容差 (m)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/result_algorithm.py" />
-      <source>Metres a unit may be off the design profile.</source>
-      <translation>块体偏离设计断面的允许距离(米)。</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1800,11 +1845,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>From the centre to the end disc, in metres; empty takes 0.644 H.</source>
-      <translation>从中心到端面,单位米;留空取 0.644 H。</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
       <source>Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations.</source>
       <translation>实际的四脚块体为正四面体形;腿1与其余腿之间的 120° 重现论文公式。</translation>
     </message>
@@ -1902,11 +1942,6 @@
       <location filename="../algorithms/support/inputs.py" />
       <source>Taper of the leg</source>
       <translation>腿的锥度</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
-      <source>Leg length (m)</source>
-      <translation>腿长(米)</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -3922,11 +3957,6 @@
       <location filename="../core/report/templates/section_damage.html" />
       <source>Share</source>
       <translation>比例</translation>
-    </message>
-    <message>
-      <location filename="../core/report/templates/section_damage.html" />
-      <source>Movement bands</source>
-      <translation>位移分级</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />

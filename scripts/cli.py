@@ -228,6 +228,7 @@ def features(
     units: ResultFile,
     output: Output,
     end_discs: Annotated[bool, typer.Option("--end-discs", help="Centres of the legs' end discs as well: d1 to d4")] = False,
+    leg_length: LegLength = None,
     quiet: Quiet = False,
     log_file: LogFile = None,
     json_progress: JsonProgress = False,
@@ -237,7 +238,7 @@ def features(
     def step(feedback: Feedback) -> dict[str, Any]:
         from ..core.pipeline.whole_survey import run_features
 
-        return run_features(units, output, feedback, end_discs=end_discs)
+        return run_features(units, output, feedback, end_discs=end_discs, leg_length=leg_length)
 
     _run(quiet, log_file, json_progress, step)
 

@@ -23,6 +23,7 @@ from ..model.pose import Pose
 from ..results.field_checks import foreign_contents
 from ..results.geopackage_reader import table_names
 from ..results.geopackage_writer import check_output, from_upper_triangle, write_result
+from ..results.result_access import REQUIRED
 from ..results.run_record import record_run
 from ..results.schema import LAYERS
 from ..results.unit_rows import read_epochs, size_of, unit_sizes
@@ -75,15 +76,18 @@ def run_register(survey: Survey, output: Path, options: RunOptions, feedback: Fe
     return {"output": str(output), "rmse": rmse, "outliers": outliers}
 
 
-def run_features(units: Path, output: Path, feedback: Feedback, *, end_discs: bool = False) -> dict[str, Any]:
+def run_features(
+    units: Path, output: Path, feedback: Feedback, *, end_discs: bool = False, leg_length: float | None = None
+) -> dict[str, Any]:
     """Step ``features``: feature points with covariance from a layer ``units`` of any GeoPackage.
 
-    With ``end_discs`` the centres of the legs' end discs as well; leg lengths are those of the run, or of standard proportions where the
-    file is no result.
+    With ``end_discs`` the centres of the legs' end discs as well; ``leg_length`` (metres) is that given, else that of the run, or of
+    standard proportions where the file is no result.
     """
     check_targets([(output, "the result")], [units])
     check_output(output)
-    sizes = unit_sizes(read_epochs(units)) if end_discs and "epochs" in table_names(units) else ()
+    is_result = table_names(units, ("units",)) >= set(REQUIRED)
+    sizes = unit_sizes(read_epochs(units)) if end_discs and is_result else ()
     tables: Tables = {"units": [], "feature_points": []}
     for row in read_units(units):
         feedback.check()
@@ -95,7 +99,7 @@ def run_features(units: Path, output: Path, feedback: Feedback, *, end_discs: bo
         with foreign_contents(units):
             unit = unit_of(row, units)
             if end_discs:
-                unit = replace(unit, leg_length=size_of(row, sizes).leg_length)
+                unit = replace(unit, leg_length=leg_length or size_of(row, sizes).leg_length)
             covariance = from_upper_triangle(row["covariance"]) if row.get("covariance") else None
             name, epoch, time = str(row["unit_id"]), str(row["epoch"]), row.get("epoch_time")
             unseen = [None] * len(FEATURES)

@@ -106,9 +106,9 @@ def _extent(blob: bytes) -> tuple[float, float, float, float]:
     return float(points[:, 0].min()), float(points[:, 0].max()), float(points[:, 1].min()), float(points[:, 1].max())
 
 
-def table_names(path: Path) -> frozenset[str]:
-    """Names of all tables and views in the file."""
-    with reading(path) as connection:
+def table_names(path: Path, needed: Sequence[str] = REQUIRED) -> frozenset[str]:
+    """Names of all tables and views in a file with the ``needed`` layers."""
+    with reading(path, needed) as connection:
         return frozenset(str(row["name"]) for row in connection.execute("SELECT name FROM sqlite_master WHERE type IN ('table', 'view')"))
 
 

@@ -134,6 +134,15 @@ def test_feature_points_follow_from_units(fitted: dict[str, Any], context: QgsPr
     found = run("extractfeaturepoints", {"INPUT": fitted["UNITS"], "OUTPUT": "TEMPORARY_OUTPUT"}, context, feedback)
     assert found["POINT_COUNT"] == 5 * fitted["UNITS_FITTED"]
     assert {feature["feature"] for feature in found["OUTPUT"].getFeatures()} == {"centre", "f123", "f124", "f134", "f234"}
+    parameters = {"INPUT": fitted["UNITS"], "END_DISCS": True, "LEG_LENGTH": 1.5, "OUTPUT": "TEMPORARY_OUTPUT"}
+    more = run("extractfeaturepoints", parameters, context, feedback)
+    discs = [feature for feature in more["OUTPUT"].getFeatures() if feature["feature"] in ("d1", "d2", "d3", "d4")]
+    assert len(discs) == 4 * fitted["UNITS_FITTED"]
+    places = {(f["unit_id"], f["feature"]): next(f.geometry().vertices()) for f in more["OUTPUT"].getFeatures()}
+    assert [places[f["unit_id"], "centre"].distance3D(places[f["unit_id"], f["feature"]]) for f in discs] == pytest.approx(
+        [1.5] * len(discs), abs=1e-6
+    )
+    assert more["POINT_COUNT"] == found["POINT_COUNT"] + len(discs)
 
 
 def test_displacements_and_check_points_by_steps(
@@ -199,6 +208,23 @@ def test_report_of_a_result(
     text = Path(found["OUTPUT"]).read_text(encoding="utf-8")
     assert "<html" in text
     assert "U0001" in text
+    assert "≥ 0.61 m" in text
+
+
+def test_report_with_bands_sections_and_design(
+    tmp_path: Path, monitored: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+) -> None:
+    units = QgsVectorLayer(f"{monitored['OUTPUT']}|layername=units", "units", "ogr")
+    latest = next(f for f in units.getFeatures() if f["epoch"] == EPOCHS[1] and f.hasGeometry())
+    place = next(latest.geometry().vertices())
+    plan = tmp_path / "plan.csv"
+    plan.write_text(f"unit_id,easting,northing,height\n{latest['unit_id']},{place.x() - 0.2},{place.y()},{place.z()}\n", encoding="utf-8")
+    parameters = {"INPUT": monitored["OUTPUT"], "BANDS": 1, "STEP": 3, "PLAN": str(plan), "TOLERANCE": 0.1}
+    found = run("displacementreport", parameters | {"OUTPUT": str(tmp_path / "report.html")}, context, feedback)
+    text = Path(found["OUTPUT"]).read_text(encoding="utf-8")
+    assert "≥ 0.10 m" in text
+    assert "≥ 0.61 m" not in text
+    assert "As-built against design" in text
 
 
 def test_model_of_a_result(
