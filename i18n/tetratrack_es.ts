@@ -2430,6 +2430,11 @@
     </message>
     <message>
       <location filename="../plugin/environment_task.py" />
+      <source>Compiling, so that the first run need not wait</source>
+      <translation>Compilando, para que la primera ejecución no espere</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
       <source>Looking for the libraries</source>
       <translation>Buscando las bibliotecas</translation>
     </message>

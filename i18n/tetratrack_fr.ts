@@ -2430,6 +2430,11 @@
     </message>
     <message>
       <location filename="../plugin/environment_task.py" />
+      <source>Compiling, so that the first run need not wait</source>
+      <translation>Compilation, pour que la première exécution n’attende pas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
       <source>Looking for the libraries</source>
       <translation>Recherche des bibliothèques</translation>
     </message>

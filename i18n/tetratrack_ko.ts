@@ -2430,6 +2430,11 @@
     </message>
     <message>
       <location filename="../plugin/environment_task.py" />
+      <source>Compiling, so that the first run need not wait</source>
+      <translation>컴파일 중 (첫 실행을 기다리지 않도록)</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
       <source>Looking for the libraries</source>
       <translation>라이브러리 찾는 중</translation>
     </message>

@@ -2430,6 +2430,11 @@
     </message>
     <message>
       <location filename="../plugin/environment_task.py" />
+      <source>Compiling, so that the first run need not wait</source>
+      <translation>A compilar, para que a primeira execução não espere</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
       <source>Looking for the libraries</source>
       <translation>À procura das bibliotecas</translation>
     </message>

@@ -2430,6 +2430,11 @@
     </message>
     <message>
       <location filename="../plugin/environment_task.py" />
+      <source>Compiling, so that the first run need not wait</source>
+      <translation>正在编译，以免首次运行需要等待</translation>
+    </message>
+    <message>
+      <location filename="../plugin/environment_task.py" />
       <source>Looking for the libraries</source>
       <translation>正在查找库</translation>
     </message>

@@ -14,7 +14,7 @@ from pathlib import Path
 from qgis.core import QgsTask
 from qgis.PyQt.QtCore import QProcess, pyqtSignal
 
-from ..algorithms.support.engine import NEEDED_MODULES, engine_environment
+from ..algorithms.support.engine import BOOTSTRAP, NEEDED_MODULES, engine_environment
 from ..algorithms.support.environment import (
     LOCK,
     SIGN_OF_LIFE,
@@ -35,6 +35,7 @@ LOCKED = ("--require-hashes", "--no-deps", "--only-binary", ":all:", "--no-compi
 INSTALLED_BYTES = 2_300_000_000
 """On disk, as measured on Linux; see docs/install.md."""
 DOWNLOADED_BYTES = 720_000_000
+WARM_UP = ("-I", "-X", "utf8", str(BOOTSTRAP), "warm-up", "--quiet")
 SITE_PACKAGES = ("lib/python*/site-packages", "Lib/site-packages")
 """Where an environment keeps its libraries, on Windows last."""
 
@@ -55,6 +56,8 @@ class Wish:
         Exact versions and checksums of what is installed.
     modules
         What must be importable in the end.
+    first_run
+        Arguments of the new Python that let it compile what runs need; empty for nothing.
     variables, certificates
         QGIS's proxy for pip, and certificates of authorities (PEM) besides those that pip knows.
     installed_bytes, downloaded_bytes
@@ -66,6 +69,7 @@ class Wish:
     wheels: Path | None = None
     lock: Path = LOCK
     modules: tuple[str, ...] = NEEDED_MODULES
+    first_run: tuple[str, ...] = WARM_UP
     variables: dict[str, str] = field(default_factory=dict)
     certificates: str = ""
     installed_bytes: int = INSTALLED_BYTES
@@ -148,8 +152,13 @@ class CreateEnvironment(QgsTask):
             source = ["--no-index", "--find-links", str(self._unpacked(wheels, venv) if wheels.is_file() else wheels)]
         install = ["-I", "-m", "pip", "install", *PIP_OPTIONS, *LOCKED, *source, "-r", str(self.wish.lock)]
         self._run(python, install, self._certificates(venv), _Progress(self, venv).look)
-        self._tell(98, tr("Trying the libraries"))
+        self._tell(95, tr("Trying the libraries"))
         self._run(python, ["-I", "-c", f"import {', '.join(self.wish.modules)}"])
+        if self.wish.first_run:
+            self._tell(97, tr("Compiling, so that the first run need not wait"))
+            # what cannot be compiled now, for want of room or time, is compiled by the first run; the log has the reason
+            with suppress(_FailedError):
+                self._run(python, list(self.wish.first_run))
         write_stamp(venv, self.wish.lock)
 
     def _check_wheels(self, wheels: Path) -> None:
@@ -305,7 +314,7 @@ class _Progress:
         if "Installing collected packages" in output:
             there = sum(1 for place in SITE_PACKAGES for _ in self.venv.glob(f"{place}/*.dist-info"))
             text = tr("Unpacking libraries: {count} of {all}").format(count=there, all=self.libraries)
-            self.task._tell(65 + 33 * min(there / max(self.libraries, 1), 1.0), text)
+            self.task._tell(65 + 30 * min(there / max(self.libraries, 1), 1.0), text)
             return
         names = re.findall(r"^(?:Collecting|Processing) (?:\S*[/\\])?([A-Za-z0-9._]+)", output, re.MULTILINE)
         if self.task.wish.wheels is not None or not names:

@@ -801,6 +801,18 @@ def demo(
     _run(quiet, log_file, json_progress, step)
 
 
+@app.command("warm-up")
+def warm_up(quiet: Quiet = False, log_file: LogFile = None, json_progress: JsonProgress = False) -> None:
+    """Compile what the first run would otherwise wait for; once after installing, by whoever installs."""
+
+    def step(feedback: Feedback) -> dict[str, Any]:
+        from .warm_up import warm_up as compile_loops
+
+        return {"seconds": round(compile_loops(feedback))}
+
+    _run(quiet, log_file, json_progress, step)
+
+
 @app.command()
 def template() -> None:
     """Print a survey.toml to fill in."""

@@ -93,5 +93,7 @@ setup_engine() {
     echo "   installing pinned libraries; a few minutes the first time"
     install_locked
     .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e . 2>/dev/null
+    echo "   compiling what runs need"
+    .venv/bin/tetratrack warm-up --quiet
     echo "$stamp" >.venv/tetratrack.stamp
 }

@@ -266,7 +266,7 @@ def correlated_part(
         if strength <= 0:
             return nothing
         length, exponent = float(_CORRELATION_LENGTHS[best]) * height, float(_CORRELATION_EXPONENTS[best])
-        few = chosen[:: math.ceil(len(chosen) / most)]
+        few = np.ascontiguousarray(chosen[:: math.ceil(len(chosen) / most)])
         pairs = pair_products(feet, rows, few, length, exponent, length * (4.0 if exponent == 1 else 2.2))
         correlated = strength * (len(used) / len(few)) ** 2 * pairs
         inflation = 1 + max(float(np.trace(white @ correlated)), 0.0) / max(float(np.trace(white @ plain)), 1.0)

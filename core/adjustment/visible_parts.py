@@ -45,6 +45,6 @@ def legs_shown(problem: Problem, state: UnitState, points: PointStates, scale: f
     """
     if len(problem.given):
         return state.opened
-    enough = max(MIN_POINTS, 0.01 * np.count_nonzero(points.weights))
+    enough = max(float(MIN_POINTS), 0.01 * np.count_nonzero(points.weights))
     keep = state.opened & (clear_counts(problem.points, problem.solid(state), points, scale, enough) >= enough)
     return keep if keep.any() else state.opened

@@ -37,7 +37,8 @@ class Grid(NamedTuple):
     def within(self, points: FloatArray, middle: FloatArray, reach: float, active: NDArray[np.bool_] | None = None) -> IntArray:
         """Indices of the points (those of the grid) within ``reach`` metres of ``middle`` (3,), of the active ones where that is given."""
         chosen = np.ones(len(points), dtype=np.bool_) if active is None else active
-        return np.asarray(gather(points, chosen, middle, reach, self, len(points)))
+        x, y, z = np.asarray(middle, dtype=np.float64).tolist()
+        return np.asarray(gather(points, chosen, (x, y, z), reach, self, len(points)))
 
 
 def build_grid(points: FloatArray, cell: float, most_cells: int = 20_000_000) -> Grid:
@@ -76,8 +77,12 @@ def _sorted_into_cells(cell: Any, cells: int) -> Any:
 
 
 @kernel()
-def gather(points: Any, active: Any, middle: Any, reach: float, grid: Any, most: int) -> Any:
-    """Indices of active points within ``reach`` of ``middle``; an even choice of ``most`` of them where there are more."""
+def gather(points: Any, active: Any, middle: Any, reach: float, grid: Any, most: Any) -> Any:
+    """Indices of active points within ``reach`` of ``middle``; an even choice of ``most`` of them where there are more.
+
+    Compiled loops give ``middle`` as a tuple and ``most`` as an ``np.int64``: this one would be compiled anew for each way an array can
+    lie in memory, and for each constant.
+    """
     start, order, origin, size, cell = grid
     low = np.empty(3, dtype=np.int64)
     high = np.empty(3, dtype=np.int64)

@@ -92,7 +92,9 @@ def poses_from_single_legs(legs: Legs, scene: Scene, active: BoolArray, *, twist
     if not len(legs.axis):
         return np.zeros((0, 12))
     height = scene.unit.height
-    starts = _Hypotheses(legs.axis, legs.centre, np.clip(2.5 * legs.centre_sd, 0.06 * height, 0.24 * height))
+    starts = _Hypotheses(
+        np.ascontiguousarray(legs.axis), np.ascontiguousarray(legs.centre), np.clip(2.5 * legs.centre_sd, 0.06 * height, 0.24 * height)
+    )
     shape = ConeShape.of(scene.unit)
     poses = np.asarray(_twist_search(starts, scene.points, active, scene.grid, shape, scene.tolerance, twists))
     return np.asarray(poses[poses[:, 3:].any(axis=1)])
@@ -129,7 +131,7 @@ def _twist_search(starts: Any, points: Any, active: Any, grid: Any, shape: Any, 
     out = np.zeros((most * n, 12))
     twists = TWISTS
     for i in prange(n):
-        near = gather(points, active, centres[i], 0.85 * height, grid, TWIST_SAMPLE)
+        near = gather(points, active, (centres[i, 0], centres[i, 1], centres[i, 2]), 0.85 * height, grid, np.int64(TWIST_SAMPLE))
         m = len(near)
         axis = axes[i]
         help_axis = np.zeros(3)

@@ -328,7 +328,7 @@ def _search(elements: Any, active: Any, seeds: Any, grid: Any, nominal: Any, tol
     rho_high = radius * 0.97
     for s in prange(len(seeds)):
         middle = points[seeds[s]]
-        found = gather(points, active, middle, reach, grid, MOST_NEIGHBOURS)
+        found = gather(points, active, (middle[0], middle[1], middle[2]), reach, grid, np.int64(MOST_NEIGHBOURS))
         m = len(found)
         if m < 12:
             continue

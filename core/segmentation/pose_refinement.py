@@ -52,7 +52,7 @@ def _refine_one(pose: Any, elements: Any, active: Any, grid: Any, shape: Any, to
     legs, radius, gradient, length, height = shape
     most, sweeps = effort
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
-    near = gather(points, active, pose[0:3], BROAD * height, grid, most)
+    near = gather(points, active, (pose[0], pose[1], pose[2]), BROAD * height, grid, most)
     m = len(near)
     local = np.empty((m, 6))
     for q in range(m):

@@ -171,11 +171,12 @@ def _normals(points: Any, every: Any, radius: float, bend_radius: float, grid: A
     bend_sd = np.zeros(n)
     for i in prange(n):
         reach = bend_radius
-        near = gather(points, every, points[i], reach, grid, MOST_NEIGHBOURS)
+        middle = (points[i, 0], points[i, 1], points[i, 2])
+        near = gather(points, every, middle, reach, grid, np.int64(MOST_NEIGHBOURS))
         # a lone point looks further, up to about a unit's half
         while len(near) < FEWEST_NEIGHBOURS and reach < 3.0 * bend_radius:
             reach *= 2.0
-            near = gather(points, every, points[i], reach, grid, MOST_NEIGHBOURS)
+            near = gather(points, every, middle, reach, grid, np.int64(MOST_NEIGHBOURS))
         count = len(near)
         local = np.empty((count, 4))
         m = 0

@@ -52,6 +52,7 @@ def wish(tmp_path: Path, wheels: Path) -> Callable[..., Wish]:
             "wheels": wheels,
             "lock": lock,
             "modules": ("first_library", "second_library"),
+            "first_run": (),
             "variables": NO_CACHE | NOWHERE,
             "installed_bytes": 1,
             "downloaded_bytes": 1,
@@ -64,6 +65,19 @@ def wish(tmp_path: Path, wheels: Path) -> Callable[..., Wish]:
 def left(wish: Wish) -> list[str]:
     """What lies beside the environment, and itself."""
     return sorted(path.name for path in wish.environment.parent.iterdir())
+
+
+def test_it_compiles_once_made_and_does_not_fail_for_that(wish: Callable[..., Wish], tmp_path: Path) -> None:
+    came = tmp_path / "came"
+    compiling = f"import first_library, pathlib, sys; pathlib.Path({str(came)!r}).touch(); sys.exit('no room to compile')"
+    task = CreateEnvironment(wish(first_run=("-I", "-c", compiling)))
+    steps: list[str] = []
+    task.step.connect(steps.append)
+    assert task.run(), task.problem
+    assert came.is_file()
+    assert fault_of(task.wish.environment, task.wish.lock) == ""
+    assert "no room to compile" in task.log.read_text()
+    assert steps[-1] == "Compiling, so that the first run need not wait"
 
 
 def test_made_without_a_network_from_a_folder(wish: Callable[..., Wish]) -> None:
@@ -211,7 +225,7 @@ from qgis.core import QgsApplication
 app = QgsApplication([], False)
 from tetratrack.plugin.environment_task import CreateEnvironment, Wish
 CreateEnvironment(Wish(python=Path({python!r}), environment=Path({environment!r}), wheels=Path({wheels!r}), lock=Path({lock!r}),
-                       modules=("first_library",), installed_bytes=1, downloaded_bytes=1)).run()
+                       modules=("first_library",), first_run=(), installed_bytes=1, downloaded_bytes=1)).run()
 """
 
 

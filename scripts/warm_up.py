@@ -1,0 +1,63 @@
+"""Loops compiled ahead of the first run, at set-up, by what a run does: a small simulated survey goes from tiles to displacements.
+
+numba compiles a loop when it is first called, with the kinds of arrays it is called with, and keeps the code
+(`core.common.compiled_code`). A list of loops and kinds written down here would silently fall behind the code; a run cannot.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+from ..core.adjustment.adjustment_records import AdjustmentOptions
+from ..core.adjustment.gauss_helmert import adjust
+from ..core.common.feedback import Feedback
+from ..core.data.survey import read_survey
+from ..core.model.pose import Pose
+from ..core.model.tetrapod import sample_surface
+from ..core.model.unit_types import UnitType
+from ..core.pipeline.run_options import RunOptions
+from ..core.pipeline.whole_survey import run_survey
+from ..core.simulation.survey_plan import plan_of
+from ..core.simulation.virtual_survey import simulate_survey
+
+UNITS = 16
+"""More than the fewest of which a placement is stated."""
+POINTS = 1500
+NOISE = 0.01
+"""Standard deviation of the points of the unit that is adjusted, metres."""
+
+
+def warm_up(feedback: Feedback) -> float:
+    """Compile what runs need and keep it, in two processes; seconds that took.
+
+    The adjustment compiles aside, while the survey is simulated and its units are searched.
+    """
+    began = time.monotonic()
+    aside = multiprocessing.get_context("spawn").Process(target=adjust_a_unit, daemon=True)
+    aside.start()
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            plan = plan_of("uav", "warm_up", None, units=UNITS, epochs=2, seed=1, density=None, noise=None, crs="EPSG:32650")
+            survey = read_survey(simulate_survey(plan, Path(folder) / "survey"))
+            quiet = Feedback(progress=feedback.progress, is_cancelled=feedback.is_cancelled)
+            run_survey(survey, Path(folder) / "result.gpkg", RunOptions(workers=1), quiet)
+        aside.join()
+    finally:
+        aside.kill()
+    return time.monotonic() - began
+
+
+def adjust_a_unit() -> None:
+    """Adjust a unit made up, to points that are equally good, and to points with covariances of their own."""
+    rng = np.random.default_rng(1)
+    unit = UnitType.tetrapod(2.3)
+    points, _, _ = sample_surface(unit, POINTS, rng)
+    points = points + rng.normal(0.0, NOISE, points.shape)
+    start = Pose(np.full(3, 0.02), np.eye(3))
+    for covariances in (None, np.tile(NOISE**2 * np.eye(3), (POINTS, 1, 1))):
+        adjust(points, unit, start, options=AdjustmentOptions(radius_sd=0.01, gradient_sd=0.01), covariances=covariances)

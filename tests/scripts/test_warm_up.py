@@ -1,0 +1,36 @@
+"""The first run after set-up compiles nothing."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+LISTENING = """
+import sys
+from numba.core import event
+
+class Listener(event.Listener):
+    compiled = []
+
+    def on_start(self, found):
+        self.compiled.append(found.data["dispatcher"].py_func.__qualname__)
+
+    def on_end(self, found):
+        pass
+
+event.register("numba:compile", Listener())
+from tetratrack.scripts.cli import app
+app(sys.argv[1:], standalone_mode=False)
+print(len(Listener.compiled), *Listener.compiled)
+"""
+
+
+@pytest.mark.slow
+def test_a_run_after_the_warm_up_compiles_nothing(tmp_path: Path, repository: Path) -> None:
+    survey = repository / "tests" / "data" / "sample" / "survey.toml"
+    for arguments in (["warm-up"], ["run", str(survey), "-o", str(tmp_path / "result.gpkg"), "--workers", "1"]):
+        done = subprocess.run([sys.executable, "-c", LISTENING, *arguments, "--quiet"], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "0"
