@@ -73,7 +73,11 @@ class EpochTable(QWidget):
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.table.verticalHeader().hide()
-        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        for place in range(len(COLUMNS)):
+            # before there are rows too, and in any language
+            header.resizeSection(place, max(header.sectionSize(place), header.sectionSizeHint(place)))
         self.table.setMinimumHeight(110)
         self.table.itemChanged.connect(self._typed)
         buttons = QHBoxLayout()

@@ -5,11 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from processing.gui.wrappers import DIALOG_STANDARD, WidgetWrapper
-from qgis.PyQt.QtWidgets import QDialog, QDialogButtonBox, QPushButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtCore import QCoreApplication
+from qgis.PyQt.QtWidgets import QDialog, QDialogButtonBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ..algorithms.support.translation import tr
 from .epoch_rows import EpochRow, matrix_of, rows_of_matrix
 from .epoch_table import EpochTable
+
+OPTIONAL = " [optional]"
 
 
 class EpochsButton(QPushButton):
@@ -52,6 +55,13 @@ class EpochsWrapper(WidgetWrapper):
     def createWidget(self) -> QWidget:
         """The table itself, or a button that opens it."""
         return EpochTable() if self.dialogType == DIALOG_STANDARD else EpochsButton()
+
+    def createLabel(self) -> QLabel | None:
+        """The parameter's name; QGIS's own word for what may be left out, which it would look for under this class's name."""
+        label = super().createLabel()
+        if label is not None:
+            label.setText(label.text().replace(OPTIONAL, QCoreApplication.translate("WidgetWrapper", OPTIONAL)))
+        return label
 
     def setValue(self, value: Any) -> None:
         """Show the values of the parameter."""

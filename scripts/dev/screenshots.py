@@ -47,9 +47,12 @@ def load_result() -> None:
             continue
         QgsProject.instance().addMapLayer(layer, False)
         layers.apply_style(layer, name)
-        group.addLayer(layer).setExpanded(name in ("units", "displacements"))
+        node = group.addLayer(layer)
+        node.setExpanded(name in ("unit_outlines", "displacements"))
+        node.setItemVisibilityChecked(name not in layers.HIDDEN_AT_FIRST)
     for relief in sorted(RESULT.parent.glob(f"{RESULT.stem}_relief_*.tif"))[-1:]:
-        layer = QgsRasterLayer(str(relief), relief.stem)
+        layer = QgsRasterLayer(str(relief), relief.stem.rpartition("_")[2])
+        layers.show_grey(layer)
         QgsProject.instance().addMapLayer(layer, False)
         group.addLayer(layer).setExpanded(False)
     units = next(layer for layer in QgsProject.instance().mapLayers().values() if "layername=units" in layer.source())
@@ -67,6 +70,7 @@ def main() -> None:
     toolbox = window.findChild(QDockWidget, "ProcessingToolbox")
     toolbox.show()
     toolbox.setMinimumWidth(330)
+    window.findChild(QDockWidget, "Layers").setMinimumWidth(330)
     for name in ("Browser",):
         window.findChild(QDockWidget, name).hide()
     load_result()

@@ -15,6 +15,7 @@ from qgis.PyQt.QtWidgets import (
     QApplication,
     QComboBox,
     QGroupBox,
+    QHeaderView,
     QLabel,
     QMainWindow,
     QPushButton,
@@ -26,6 +27,8 @@ from qgis.PyQt.QtWidgets import (
 )
 from synthetic_result import write_points, write_result
 from tetratrack.algorithms.support.translation import LANGUAGES, load_translator
+from tetratrack.plugin.epoch_rows import EpochRow
+from tetratrack.plugin.epoch_table import EpochTable
 from tetratrack.plugin.options import TetratrackOptionsPage
 from tetratrack.plugin.review_dock import ReviewDock
 
@@ -95,6 +98,12 @@ def lacks(widget: QWidget) -> int:
         metrics, pages = QFontMetrics(widget.font()), range(widget.count())
         inside = max((metrics.horizontalAdvance(widget.tabText(page)) - widget.tabRect(page).width() for page in pages), default=0)
         return max(inside, widget.sizeHint().width() - widget.width())
+    if isinstance(widget, QHeaderView):
+        titles = [
+            str(widget.model().headerData(place, widget.orientation(), Qt.ItemDataRole.DisplayRole)) for place in range(widget.count())
+        ]
+        taken = [QFontMetrics(widget.font()).horizontalAdvance(title) for title in titles]
+        return max((needs - widget.sectionSize(place) for place, needs in enumerate(taken)), default=0)
     if isinstance(widget, QComboBox):
         option = QStyleOptionComboBox()
         option.initFrom(widget)
@@ -139,6 +148,14 @@ def test_review(window: QMainWindow, result: Path) -> None:
     # the map keeps room beside it
     assert dock.width() < 0.62 * WIDTH
     dock.close()
+
+
+def test_table_of_epochs(window: QMainWindow) -> None:
+    table = EpochTable(window)
+    window.setCentralWidget(table)
+    assert cut(table) == []
+    table.show_rows([EpochRow("2025-03-14"), EpochRow("1")])
+    assert cut(table) == []
 
 
 def test_options_page(window: QMainWindow) -> None:
