@@ -110,6 +110,8 @@ def displacement_map(rows: Sequence[UnitRow], shapes: dict[str, PlacedShape], re
             width=0.003,
             color="#17202A",
         )
+        # arrows count for the extent of the map, or the longest would be cut
+        axes.update_datalim(places[:, :2] + drawn)
         axes.set_title(_("arrows: significant horizontal displacements, enlarged {scale} times").format(scale=f"{scale:g}"), fontsize=8)
     map_frame(axes, _)
     bar = figure.colorbar(patches, ax=axes, shrink=0.8, extend="max")

@@ -294,15 +294,31 @@
     const rgb = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16) / 255);
     const middle = units.length ? [0, 1, 2].map((c) => units.reduce((sum, u) => sum + u.place[c], 0) / units.length) : [0, 0, 0];
     const radius = Math.max(5, ...units.map((u) => Math.hypot(u.place[0] - middle[0], u.place[1] - middle[1]))) + 2;
-    // a wide window shows more to the sides than up and down
-    const home = () => ({ target: [...middle], distance: (radius * 2.9) / Math.min(scene.clientWidth / scene.clientHeight, 1.6), azimuth: -0.5, height: 0.6 });
+    const VIEW = Math.tan(0.4);  // half of what is seen up and down, a metre away
+    const axes = (from) => {
+      const ch = Math.cos(from.height), sh = Math.sin(from.height), ca = Math.cos(from.azimuth), sa = Math.sin(from.azimuth);
+      return { right: [ca, -sa, 0], back: [-sa * ch, -ca * ch, sh], up: [sa * sh, ca * sh, ch] };
+    };
+    // near enough to fill the window, and far enough that no block is cut by its edges
+    const home = () => {
+      const found = { target: [...middle], distance: 5, azimuth: -0.5, height: 0.6 };
+      const { right, back, up } = axes(found), aspect = scene.clientWidth / scene.clientHeight;
+      units.forEach((u) => {
+        const along = (axis) => axis.reduce((sum, a, k) => sum + a * (u.place[k] - middle[k]), 0);
+        const reach = u.solid === undefined ? 1 : data.solids[u.solid].reach;
+        // a ball touches the edge of what is seen where its radius over the sine does
+        const clear = (off, view) => Math.abs(off) / view + reach * Math.hypot(1, 1 / view);
+        const needed = Math.max(clear(along(right), VIEW * aspect), clear(along(up), VIEW));
+        found.distance = Math.max(found.distance, along(back) + needed);
+      });
+      return found;
+    };
     let eye = home(), waiting = false;
     const camera = (aspect) => {
-      const ch = Math.cos(eye.height), sh = Math.sin(eye.height), ca = Math.cos(eye.azimuth), sa = Math.sin(eye.azimuth);
-      const right = [ca, -sa, 0], back = [-sa * ch, -ca * ch, sh], up = [sa * sh, ca * sh, ch];
+      const { right, back, up } = axes(eye);
       const from = eye.target.map((t, k) => t + back[k] * eye.distance);
       const dot = (a) => -(a[0] * from[0] + a[1] * from[1] + a[2] * from[2]);
-      const f = 1 / Math.tan(0.4), near = eye.distance / 100, far = eye.distance + 4 * radius, depth = (far + near) / (near - far);
+      const f = 1 / VIEW, near = eye.distance / 100, far = eye.distance + 4 * radius, depth = (far + near) / (near - far);
       const rows = [right, up, back].map((axis) => [...axis, dot(axis)]);
       const column = [];
       for (let c = 0; c < 4; c += 1)
