@@ -350,7 +350,8 @@ def _no_transformation(a: CRS, b: CRS, source: str | Path) -> CrsError:
     if grids:
         remedy = f"Install the grid it needs (projsync --file {grids[0]}), or reproject the tile beforehand."
     else:
-        remedy = f'No exact transformation between the two is known: set the survey\'s crs to that of the tile, crs = "{_name(a)}".'
+        same = f'set the survey\'s crs to that of the tile, crs = "{_code(a)}". ' if _code(a) else ""
+        remedy = f"No exact transformation between the two is known: {same}{_overrule(_name(b), f'are those of {_name(b)}')}"
     return CrsError(f"cannot be transformed exactly from {_name(a)} to {_name(b)}", source=source, remedy=remedy)
 
 

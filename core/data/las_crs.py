@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from .las_files import LasHeader
@@ -37,26 +37,45 @@ class DeclaredCrs:
         nothing is wrong.
     name
         What to call it; empty where nothing is declared.
+    other
+        What to call another CRS that the header declares too; empty where there is none.
     """
 
     crs: CRS | None = None
     problem: str = ""
     name: str = ""
+    other: str = ""
 
 
 def declared_crs(header: LasHeader) -> DeclaredCrs:
     """CRS of a header: its WKT if the header says so, else its GeoTIFF keys; the other of the two where that one is absent or useless."""
     ways = (_from_wkt, _from_keys) if header.wkt or header.point_format >= 6 else (_from_keys, _from_wkt)
-    found = [declared for declared in (way(header) for way in ways) if declared is not None]
+    found = [declared for way in ways for declared in way(header)]
     usable = [declared for declared in found if declared.crs is not None]
-    return (usable or found or [DeclaredCrs()])[0]
+    chosen = (usable or found or [DeclaredCrs()])[0]
+    # a program that transforms a cloud may leave the old statement beside the new one
+    other = next((rest for rest in usable[1:] if not _same_place(chosen.crs, rest.crs)), None)
+    return chosen if other is None else replace(chosen, other=other.name)
 
 
-def _from_wkt(header: LasHeader) -> DeclaredCrs | None:
+def _same_place(one: CRS | None, other: CRS | None) -> bool:
+    """Whether two definitions give a place the same easting and northing, but for how they are written."""
+    if one is None or other is None:
+        return one is other
+    flat = [(crs.sub_crs_list[0] if crs.is_compound else crs) for crs in (one, other)]
+    codes = [crs.to_epsg() for crs in flat]
+    return bool(None in codes or codes[0] == codes[1])
+
+
+def _from_wkt(header: LasHeader) -> list[DeclaredCrs]:
+    contents = [header.content_of(record) for record in header.records if (record.user_id, record.record_id) == (PROJECTION, WKT_RECORD)]
+    return [declared for content in contents if (declared := _of_wkt(content)) is not None]
+
+
+def _of_wkt(content: bytes | None) -> DeclaredCrs | None:
     from pyproj import CRS
     from pyproj.exceptions import CRSError
 
-    content = header.content(PROJECTION, WKT_RECORD)
     if content is None:
         return None
     text = content.split(b"\0")[0].decode("utf-8", "replace").strip().strip("\"'").strip()
@@ -70,14 +89,14 @@ def _from_wkt(header: LasHeader) -> DeclaredCrs | None:
     return DeclaredCrs(crs, name=str(crs.name))
 
 
-def _from_keys(header: LasHeader) -> DeclaredCrs | None:
+def _from_keys(header: LasHeader) -> list[DeclaredCrs]:
     content = header.content(PROJECTION, KEYS_RECORD)
     if content is None or len(content) < 8:
-        return None
+        return []
     shorts = struct.unpack(f"<{len(content) // 2}H", content[: len(content) // 2 * 2])
     rows = [shorts[k : k + 4] for k in range(4, min(len(shorts), 4 + 4 * shorts[3]) - 3, 4)]
     if not any(key for key, *_ in rows):
-        return None
+        return []
     doubles = (header.content(PROJECTION, DOUBLES_RECORD) or b"").ljust(8, b"\0")
     texts = (header.content(PROJECTION, TEXTS_RECORD) or b"").rstrip(b"\0") + b"\0"
     plain = {key: value for key, place, _, value in rows if place == 0}
@@ -92,8 +111,8 @@ def _from_keys(header: LasHeader) -> DeclaredCrs | None:
     if crs is None:
         name = f"{citation!r}" if citation else "GeoTIFF keys without a name"
         problem = units or f"declares a CRS that cannot be understood ({name})"
-        return DeclaredCrs(problem=problem, name=f"{name}, which cannot be understood")
-    return DeclaredCrs(crs, units, citation or str(crs.name))
+        return [DeclaredCrs(problem=problem, name=f"{name}, which cannot be understood")]
+    return [DeclaredCrs(crs, units, citation or str(crs.name))]
 
 
 def _double(content: bytes, at: int) -> float:

@@ -109,14 +109,20 @@ class LasHeader:
     def content(self, user_id: str, record_id: int) -> bytes | None:
         """Content of the first record of a kind; None where there is none or it is beyond measure."""
         for record in self.records:
-            if (record.user_id, record.record_id) == (user_id, record_id) and record.length <= MOST_RECORD_BYTES:
-                try:
-                    with self.stored.open("rb") as stream:
-                        stream.seek(record.offset)
-                        return stream.read(record.length)
-                except OSError as error:
-                    raise unreadable(self.path, error) from error
+            if (record.user_id, record.record_id) == (user_id, record_id) and (content := self.content_of(record)) is not None:
+                return content
         return None
+
+    def content_of(self, record: LasRecord) -> bytes | None:
+        """Content of a record; None where it is beyond measure."""
+        if record.length > MOST_RECORD_BYTES:
+            return None
+        try:
+            with self.stored.open("rb") as stream:
+                stream.seek(record.offset)
+                return stream.read(record.length)
+        except OSError as error:
+            raise unreadable(self.path, error) from error
 
 
 def read_header(path: Path) -> LasHeader:

@@ -214,6 +214,8 @@ def inspect_tile(
     if header.count == 0:
         return _tile_of(header, None, TileTransform(None), remarks)
     declared = declared_crs(header)
+    if declared.other and tiles_crs is None:
+        remarks.append(f"{source.name}: its header declares {declared.name} and {declared.other}; the former is taken")
     if survey_crs is None and tiles_crs is None:
         crs = declared.crs
         remarks += [f"{source.name}: {declared.problem}"] if declared.problem else []

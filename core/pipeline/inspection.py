@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import sqlite3
 from collections.abc import Callable, Sequence
 from contextlib import closing
@@ -135,8 +136,8 @@ def _rows(findings: Sequence[Finding]) -> list[dict[str, Any]]:
             | {"points": "", "used": "", "density": "", "crs": "", "extent": "", "remark": "", "path": ""},
         )
         row["verdict"] = max(row["verdict"], finding.verdict, key=SEVERITY.index)
-        source = finding.name if finding.error is None else finding.error.source
-        said = finding.message.replace(f"{source}: ", "").replace(f"{finding.name}: ", "")
+        named = {finding.name} if finding.error is None else {finding.name, str(finding.error.source)}
+        said = re.sub(rf"(^|; )(?:{'|'.join(map(re.escape, named))}): ", r"\1", finding.message)
         row["remark"] = "; ".join(part for part in (row["remark"], said) if part)
         tile = finding.tile
         if tile is not None:

@@ -17,6 +17,7 @@ from ..common.errors import CrsError, InputError, OutputError
 from ..common.feedback import Feedback
 from ..data.crs import LOCAL, check_survey_crs
 from ..data.folder_epochs import CLOUDS, FoundEpoch, FoundTile, find_tiles, group_epochs, share_in_common
+from ..data.plausibility import Place, check_scale
 from ..data.recognised_tables import FoundTable, Role, assign, find_tables, recognise
 from ..data.survey import Ring, Survey, read_survey
 from ..data.survey_draft import FIRST_LINE, DraftEpoch, DraftUnit, SurveyDraft, draft_text
@@ -137,6 +138,7 @@ def _draft(
 ) -> SurveyDraft:
     """The draft, given its epochs and the tables of points of each."""
     crs, crs_reason, crs_questions, tiles_crs = _crs(found, given.crs)
+    crs_questions += _scale_question(found, crs)
     warnings = [f"{epoch.label}: {note}" for epoch in epochs for note in epoch.notes]
     warnings += [*_epoch_warnings(epochs), *notes]
     drafts = tuple(_epoch(epoch, mine, tiles_crs) for epoch, mine in zip(epochs, tables, strict=True))
@@ -190,6 +192,18 @@ def _crs(tiles: Sequence[FoundTile], given: str | None) -> tuple[str, str, list[
     others = f"; {len(known) - 1} other in the tiles, transformed" if len(known) > 1 else ""
     short = crs if len(crs) < 40 else "user-defined"
     return crs, f"from the tiles' headers ({short}){others}", questions, None
+
+
+def _scale_question(tiles: Sequence[FoundTile], crs: str) -> list[str]:
+    """What to ask where a metre of the grid is none on the ground; tiles that are to be transformed are looked at before a run."""
+    own = [tile.info for tile in tiles if tile.info.crs in ("", crs)]
+    if not crs or crs == LOCAL or not own:
+        return []
+    try:
+        check_scale(crs, Place(own[0].low, own[0].high, crs, 1.0), source=own[0].path)
+    except CrsError as error:
+        return [f"{error.problem}: {error.remedy}"]
+    return []
 
 
 def _epoch_warnings(epochs: Sequence[FoundEpoch]) -> list[str]:

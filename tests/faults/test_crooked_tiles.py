@@ -12,6 +12,7 @@ from crooked_las import COUNT_AT, HEADER_SIZE_AT, LEGACY_COUNT_AT, VERSION_AT, p
 from las_files import ORIGIN, grid_points, write_copc, write_las
 from tetratrack.core.common.errors import CrsError, InputError
 from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.data.crs import parse_crs
 from tetratrack.core.data.occupancy import Occupancy, common_height_shift, stray_cells
 from tetratrack.core.data.survey import read_survey
 from tetratrack.core.data.tiles import inspect_tile, read_points
@@ -192,6 +193,34 @@ def test_no_crs_is_a_dead_end(tmp_path: Path, wkt: bytes, said: str) -> None:
     assert len(read_points([tile], CRS)) == 400
     # looked at by itself it can be read, and what is odd is said
     assert inspect_tile(path, None).points == 400
+
+
+def test_a_refused_transformation_names_the_key_that_gets_past_it(tmp_path: Path) -> None:
+    """A datum shift that somebody typed in belongs to no code that the survey could take."""
+    wkt = (
+        'PROJCS["typed in",GEOGCS["y",DATUM["z",SPHEROID["w",6378137,298.257223563],TOWGS84[100,200,300,0,0,0,0]],PRIMEM["Greenwich",0],'
+        'UNIT["degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],PARAMETER["latitude_of_origin",0],'
+        'PARAMETER["central_meridian",117],PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",500000],'
+        'PARAMETER["false_northing",0],UNIT["metre",1]]'
+    )
+    with pytest.raises(CrsError, match="cannot be transformed exactly") as caught:
+        inspect_tile(write_wkt(tmp_path / "a.las", wkt.encode()), CRS)
+    assert 'tiles_crs = "EPSG:32650"' in caught.value.remedy
+    assert 'crs = "typed in' not in caught.value.remedy
+
+
+def test_two_statements_of_the_crs_are_told(tmp_path: Path) -> None:
+    path = write_las(tmp_path / "a.las", grid_points())
+    for code, told in ((32650, 0), (32651, 1)):
+        data = bytearray(write_las(path, grid_points()).read_bytes())
+        text = parse_crs(f"EPSG:{code}").to_wkt("WKT1_GDAL").encode()
+        struct.pack_into("<QI", data, 235, len(data), 1)
+        path.write_bytes(data + struct.pack("<H16sHQ32s", 0, b"LASF_Projection", 2112, len(text), b"") + text)
+        tile = inspect_tile(path, CRS)
+        assert tile.crs == CRS
+        assert len(tile.remarks) == told
+    assert "its header declares WGS 84 / UTM zone 50N and WGS 84 / UTM zone 51N; the former is taken" in tile.remarks[0]
+    assert inspect_tile(path, CRS, tiles_crs=CRS).remarks == ()
 
 
 def test_tiles_crs_overrules_a_wrong_header(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey import read_survey
 from tetratrack.core.pipeline.epoch_plans import plan_survey
 from tetratrack.core.pipeline.inspection import inspect_survey
+from tetratrack.core.pipeline.new_survey import Given, draft_survey
 from tetratrack.core.registration.stable_areas import read_areas
 
 TARGETS = ORIGIN + np.array([[0, 0, 1], [6, 1, 1], [1, 7, 2], [8, 8, 0.0]])
@@ -204,6 +205,14 @@ def test_a_grid_that_is_no_metre_on_the_ground(site: Path) -> None:
     said = refused(site, crs="EPSG:3857")
     assert 'crs = "EPSG:32650"' in said
     assert "a metre on the ground is 1.17" in said
+
+
+def test_such_a_grid_is_asked_about_in_a_new_survey(tmp_path: Path) -> None:
+    write_las(tmp_path / "a.laz", grid_points(), "EPSG:3857")
+    draft = draft_survey([tmp_path], Given(), Feedback(), size=False)
+    write_las(tmp_path / "a.laz", grid_points(origin=np.array([13_000_000.0, 3_700_000.0, 2.0])), "EPSG:3857")
+    draft = draft_survey([tmp_path], Given(), Feedback(), size=False)
+    assert any("a metre on the ground is 1.1" in question and "EPSG:32650" in question for question in draft.questions)
 
 
 def test_no_grid_is_advised_where_there_is_none(tmp_path: Path) -> None:
