@@ -6,13 +6,14 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import shorten
 from typing import Any, Literal
 
 import numpy as np
 
 from ..common.arrays import FloatArray
 from ..common.errors import InputError
-from .table_text import TableError, columns_of, split_table
+from .table_text import TableError, columns_of, decoded, split_table
 
 Axes = Literal["en", "ne"]
 CONTROL_COLUMNS = ("point_id", "easting", "northing", "height", "sd_e", "sd_n", "sd_h")
@@ -97,16 +98,21 @@ def read_point_table(
     """
     source, text, positive = Path(path), tuple(text), tuple(positive)
     try:
-        table = split_table(source.read_text(encoding="utf-8-sig"))
+        table = split_table(decoded(source.read_bytes()))
     except TableError as error:
-        raise InputError(
-            f"is no table ({error})", source=source, where=f"line {error.line}", remedy="Look for a quotation mark that is not closed."
-        ) from None
+        unclosed = "Look for a quotation mark that is not closed."
+        remedy = "Save it as UTF-8 text with commas (CSV)." if "text" in str(error) else unclosed
+        raise InputError(f"is no table ({error})", source=source, where=f"line {error.line}", remedy=remedy) from None
     except FileNotFoundError:
         raise InputError("does not exist", source=source, remedy="Correct the path in survey.toml.") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"cannot be read ({error})", source=source, remedy="Save it as UTF-8 text with commas.") from None
+    except OSError as error:
+        raise InputError(
+            f"cannot be read ({error.strerror or error})", source=source, remedy="Check the file's permissions and disk."
+        ) from None
     names = _header(table.names, columns, positive, source)
+    small = [f"{name} [{unit}]" for name, unit in zip(names, table.units) if unit in ("mm", "cm", "dm") and name in (*columns, *positive)]
+    if small:
+        raise InputError(f"states {small[0]}", source=source, where="line 1", remedy="Give metres: 0.003 for 3 mm.")
     rows: list[dict[str, Any]] = []
     seen: dict[str, int] = {}
     for number, fields in table.rows:
@@ -148,7 +154,7 @@ def _header(header: Iterable[str], columns: Sequence[str], positive: Sequence[st
     known = columns_of(names, (*columns, *positive))
     missing = [name for name in columns if name not in known]
     if missing:
-        found = ", ".join(names) if any(names) else "nothing"
+        found = shorten(", ".join(names), 200, placeholder=" …") if any(names) else "nothing"
         raise InputError(
             f"has no column {', '.join(missing)}; found {found}",
             source=source,

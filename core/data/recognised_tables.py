@@ -12,7 +12,7 @@ import numpy as np
 
 from ..common.arrays import FloatArray
 from .dates_in_names import NamedDate, date_in_name
-from .table_text import TableError, TextTable, columns_of, split_table
+from .table_text import TableError, TextTable, columns_of, decoded, split_table
 
 Role = Literal["control", "targets", "check", "trajectory", "stations"]
 Extent = tuple[float, float, float, float]
@@ -147,7 +147,7 @@ def _same_date(named: NamedDate, label: str) -> bool:
 def _recognised(path: Path, extent: Extent, local: bool) -> FoundTable | str:
     """What a table is, or why it is not used; an empty text where it is no table of points at all."""
     try:
-        table = split_table(path.read_bytes()[:2_000_000].decode("utf-8-sig", errors="replace"))
+        table = split_table(decoded(path.read_bytes()[:2_000_000], "replace"))
     except (OSError, TableError):
         return ""
     role, columns = _role(path, table)

@@ -66,6 +66,27 @@ class TextTable:
     decimal_commas: bool
 
 
+def decoded(data: bytes, errors: str = "strict") -> str:
+    """Text of a table: UTF-8, or UTF-16 as spreadsheets write their Unicode text; ``errors`` as for :meth:`bytes.decode`.
+
+    Raises
+    ------
+    TableError
+        It is a spreadsheet itself, or in another encoding.
+    """
+    if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
+        raise TableError("it is a spreadsheet or archive, not text", 1)
+    try:
+        if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+            return data.decode("utf-16", errors)
+        text = data.decode("utf-8-sig", errors)
+    except UnicodeDecodeError as error:
+        raise TableError(f"its text is not UTF-8 ({error.reason})", data.count(b"\n", 0, error.start) + 1) from None
+    if text[:2000].count("\0") > len(text[:2000]) // 4:
+        raise TableError("its text is not UTF-8, or it is no text at all", 1)
+    return text
+
+
 def split_table(text: str) -> TextTable:
     """Split a table with a header line; the separator is what the header holds, decimal commas need another one than the comma.
 
@@ -75,16 +96,19 @@ def split_table(text: str) -> TextTable:
         The text is no table.
     """
     lines = text.splitlines()
+    # a line that tells spreadsheets the separator
+    first = 1 if lines and re.fullmatch(r'"?sep=."?[,;\t]*', lines[0], re.IGNORECASE) else 0
+    lines = lines[first:]
     header = lines[0] if lines else ""
     separator = max((",", ";", "\t"), key=header.count) if any(s in header for s in ",;\t") else ","
     reader = csv.reader(lines, skipinitialspace=True, delimiter=separator)
     try:
         parsed = list(reader) or [[]]
     except csv.Error as error:
-        raise TableError(str(error), reader.line_num) from None
+        raise TableError(str(error), reader.line_num + first) from None
     heads = [_UNIT.sub("", name).strip().lower() for name in parsed[0]]
     units = [match[1].lower() if (match := _UNIT.search(name)) else "" for name in parsed[0]]
-    rows = [(k, tuple(fields)) for k, fields in enumerate(parsed[1:], start=2) if any(field.strip() for field in fields)]
+    rows = [(k, tuple(fields)) for k, fields in enumerate(parsed[1:], start=2 + first) if any(field.strip() for field in fields)]
     commas = separator != "," and any(re.fullmatch(r"\s*[-+]?\d+,\d+\s*", field) for _, fields in rows for field in fields)
     if commas:
         rows = [(k, tuple(re.sub(r"^(\s*[-+]?\d+),(\d+\s*)$", r"\1.\2", field) for field in fields)) for k, fields in rows]

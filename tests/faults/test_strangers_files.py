@@ -133,6 +133,33 @@ def test_tables_made_to_break_the_reader(tmp_path: Path, row: str, told: str) ->
     assert len(str(error.value)) < 1000
 
 
+CONTROL = "point_id,easting,northing,height,sd_e,sd_n,sd_h\nT1,1.5,2,3,0.01,0.01,0.01\n"
+
+
+@pytest.mark.parametrize(
+    ("data", "told"),
+    [
+        (CONTROL.encode("utf-16"), ""),
+        (CONTROL.replace(",", "\t").replace(".", ",").encode("utf-16-be").join((b"\xfe\xff", b"")), ""),
+        (b"sep=;\r\n" + CONTROL.replace(",", ";").encode(), ""),
+        (CONTROL.encode("utf-16-le"), "line 1: is no table .its text is not UTF-8.*CSV"),
+        (CONTROL.replace("T1", "Größe").encode("latin-1"), "line 2: is no table .its text is not UTF-8.*CSV"),
+        (b"PK\x03\x04" + bytes(300), "line 1: is no table .it is a spreadsheet.*CSV"),
+        (CONTROL.replace("point_id", "p" * 90_000).encode(), "has no column point_id; found"),
+        (CONTROL.replace("sd_h", "sd_h [mm]").encode(), r"line 1: states sd_h \[mm\]. Give metres"),
+    ],
+)
+def test_tables_as_spreadsheets_write_them(tmp_path: Path, data: bytes, told: str) -> None:
+    path = tmp_path / "control.csv"
+    path.write_bytes(data)
+    if not told:
+        assert read_control(path).coordinates.tolist() == [[1.5, 2.0, 3.0]]
+        return
+    with pytest.raises(InputError, match=told) as error:
+        read_control(path)
+    assert len(str(error.value)) < 600
+
+
 @pytest.mark.parametrize(
     "text",
     [
