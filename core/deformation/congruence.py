@@ -86,9 +86,23 @@ class PoseCalibration:
         return np.asarray(covariance * np.outer(self.factors, self.factors) + np.diag(0.5 * self.floors**2))
 
 
-def f_p_value(statistics: FloatArray, tail: float) -> FloatArray:
+def f_p_value(statistics: FloatArray, tail: float | FloatArray) -> FloatArray:
     """p-values of quadratic forms of three components whose variance has ``tail`` degrees of freedom."""
     return np.asarray(fdtrc(3, tail, np.asarray(statistics) / 3))
+
+
+def pooled_degrees(own: FloatArray, tail: float, frame: FloatArray, degrees: float) -> FloatArray:
+    """Degrees of freedom of the sum of two covariances (Satterthwaite, 1946, Biometrics Bulletin 2(6), by their traces).
+
+    Parameters
+    ----------
+    own, tail
+        (n, 3, 3) of units themselves, and its degrees of freedom.
+    frame, degrees
+        (n, 3, 3) of the frames at their places, and its degrees of freedom.
+    """
+    a, b = np.einsum("nii->n", own), np.einsum("nii->n", frame)
+    return np.asarray((a + b) ** 2 / (a**2 / tail + b**2 / max(degrees, 1.0)))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -110,8 +124,10 @@ class Congruence:
         Calibrated distribution of stable units.
     statistics, p_values
         (n,) of each unit in datum ``stable``, itself left out of the datum.
-    control_statistics, control_p_values, control_tail
-        The same in datum ``control``, and its degrees of freedom.
+    control_statistics, control_p_values
+        The same in datum ``control``.
+    control_degrees
+        Degrees of freedom with which the frames' part of datum ``control`` is known.
     global_statistic, global_degrees, global_p_value
         Test that all units together kept their shape.
     common_statistic, common_p_value
@@ -128,7 +144,7 @@ class Congruence:
     p_values: FloatArray
     control_statistics: FloatArray
     control_p_values: FloatArray
-    control_tail: float
+    control_degrees: float
     global_statistic: float
     global_degrees: int
     global_p_value: float
@@ -192,9 +208,8 @@ def congruence_of(
             break
     theta, cofactor, statistics = _leave_one_out(displacements, effective, a, sigma, stable)
     p_values = null.p_value(statistics)
-    with_control = effective + a @ sigma @ np.swapaxes(a, 1, 2) if known else effective
-    control = quadratic(displacements, with_control)
-    tail = min(null.tail, degrees) if degrees > 0 else null.tail
+    frame = a @ sigma @ np.swapaxes(a, 1, 2) if known else np.zeros_like(effective)
+    control = quadratic(displacements, effective + frame)
     global_statistic, global_degrees = _global(displacements, effective, a, sigma)
     common = math.nan
     if known and stable.any():
@@ -209,8 +224,8 @@ null=null,
 statistics=statistics,
 p_values=p_values,
 control_statistics=control,
-control_p_values=f_p_value(control, tail),
-control_tail=tail,
+control_p_values=f_p_value(control, pooled_degrees(effective, null.tail, frame, degrees)),
+control_degrees=degrees,
 global_statistic=global_statistic,
 global_degrees=global_degrees,
 global_p_value=float(chdtrc(global_degrees, global_statistic)) if global_degrees else 1.0,

@@ -19,9 +19,9 @@ from scipy.special import chdtrc
 
 from ..common.arrays import BoolArray, FloatArray
 from ..common.robust import t_weights
-from ..registration.frame_field import FieldEstimate, LocalMotions
+from ..registration.frame_field import FieldEstimate, LocalMotions, information_of
 from ..registration.transformation import rigid_jacobian
-from .congruence import STABLE_LEVEL, Congruence, NullModel, calibrate, f_p_value, quadratic
+from .congruence import STABLE_LEVEL, Congruence, NullModel, calibrate, f_p_value, pooled_degrees, quadratic
 
 ROUGH_SHARE = 0.002
 """Deviation over H that a unit may have beyond its covariance before the null distribution is known."""
@@ -40,12 +40,16 @@ class ElasticDatum:
         Inverse of the covariance of ``control``.
     used
         (n,) whether a unit took part in datum ``stable``.
+    information, rhs
+        Normal matrix and right-hand side of the units that did: what ``stable`` knows beyond ``control``.
     """
 
     control: FieldEstimate
     stable: FieldEstimate
     precision: FloatArray
     used: BoolArray
+    information: FloatArray
+    rhs: FloatArray
 
 
 def elastic_congruence_of(
@@ -109,7 +113,10 @@ def elastic_congruence_of(
     effective = null.covariance(covariances)
     field, others = adjusted(stable.astype(np.float64), effective)
     congruence = _summary(displacements, effective, points, stable, null, others, at_control, degrees)
-    return congruence, ElasticDatum(control=control, stable=field, precision=precision, used=stable)
+    weights = np.asarray(np.linalg.inv(effective[stable]), dtype=np.float64)
+    information, rhs = information_of(basis, points[stable], displacements[stable], weights)
+    datum = ElasticDatum(control=control, stable=field, precision=precision, used=stable, information=information, rhs=rhs)
+    return congruence, datum
 
 
 def _summary(
@@ -125,8 +132,8 @@ def _summary(
     """The pair's tests in the form that rigid frames have; motion is the rigid part of what the stable units share."""
     origin = points[stable].mean(axis=0) if stable.any() else np.zeros(3)
     statistics = quadratic(displacements - others.means[:, :3], effective + others.covariances[:, :3, :3])
-    control = quadratic(displacements - at_control.means[:, :3], effective + at_control.covariances[:, :3, :3])
-    tail = min(null.tail, degrees) if degrees > 0 else null.tail
+    frame = at_control.covariances[:, :3, :3]
+    control = quadratic(displacements - at_control.means[:, :3], effective + frame)
     motion = np.zeros(7)
     if stable.sum() >= 3:
         design = rigid_jacobian(points[stable] - origin)[:, :, :6].reshape(-1, 6)
@@ -143,8 +150,8 @@ null=null,
 statistics=statistics,
 p_values=null.p_value(statistics),
 control_statistics=control,
-control_p_values=f_p_value(control, tail),
-control_tail=tail,
+control_p_values=f_p_value(control, pooled_degrees(effective, null.tail, frame, degrees)),
+control_degrees=degrees,
 global_statistic=form,
 global_degrees=count,
 global_p_value=float(chdtrc(count, form)) if count else 1.0,

@@ -13,14 +13,16 @@ from functools import partial
 from typing import Literal
 
 import numpy as np
+from scipy.linalg import solve_triangular
 from scipy.special import fdtrc
 
-from ..common.arrays import BoolArray, FloatArray
+from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.robust import CHI2_3_MEDIAN
 from ..registration.bending import FEWEST_CELLS, GAIN, Bending, ShiftSample, estimate_bending, explained, in_cells, rigid_log_likelihood
 from ..registration.control import MIN_TARGETS, SNOOPING_LEVEL, exclude_by_turns
 from ..registration.frame_field import FREE_SHIFT, FREE_TURN, RIGID, FieldBasis, FieldEstimate, FieldModel
 from ..registration.transformation import rigid_jacobian
+from .target_changes import p_values_of_changes
 
 FrameChoice = Literal["auto", "rigid", "elastic"]
 CELL_HEIGHTS = 1.5
@@ -33,12 +35,16 @@ FEWEST_DEGREES = 4.0
 """Least degrees of freedom that the size of a bend is given."""
 FEWEST_BENT_TARGETS = 12
 """Targets from which alone a bend may be learned, where there is one epoch."""
-NOISE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.5, 6.0)
+NOISE_FACTORS = (1.0, 1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.3)
 BEND_FACTORS = (0.5, 0.7, 1.0, 1.4, 2.0)
 """Factors of the targets' stated deviations, and of the bend between epochs, among which the targets of all epochs choose."""
+STATION_HEIGHTS = 4.0
+"""Distance in heights of a unit within which targets stand together."""
 SIZE_CAUTION = 1.0
 LEAST_SIZE, MOST_SIZE = 0.35, 4.0
 """Observations' worth of belief in the model's own size of what targets leave unknown, and bounds of the factor of its variance."""
+T5_SCALE = 1.2753
+"""Variance of normal errors over the squared scale of the t distribution (three components, five degrees) likeliest for them."""
 LARGEST_MISFIT = 16.0
 """Normalised square up to which one cell counts."""
 TARGET_CAUTION = 4.0
@@ -184,21 +190,22 @@ def estimate_frames(
     known = [t.positions for t in targets if t is not None]
     basis = FieldBasis.over(model, np.vstack([places, *known]), RESOLUTION_HEIGHTS * height)
     bend, noise = _target_factors(model, [t for t in targets if t is not None])
+    changes = _changes_unlike_the_ground(pairs, targets, bendings, basis, noise, height)
     basis = basis.scaled_by(bend)
     precision = basis.precision()
     degrees = max(float(np.ptp(model.scaled(places)[:, 0])), FEWEST_DEGREES)
     errors: list[FieldEstimate | None] = []
     verdicts: list[TargetVerdicts | None] = []
-    for own in targets:
+    for own, change in zip(targets, changes, strict=True):
         if own is None or len(own.ids) < MIN_TARGETS:
             errors.append(None)
             verdicts.append(None)
             continue
-        used = exclude_by_turns(partial(_p_values, basis.model, own, noise), np.ones(len(own.ids), dtype=bool), SNOOPING_LEVEL)
+        used = exclude_by_turns(partial(_p_values, basis.model, own, noise, change), np.ones(len(own.ids), dtype=bool), SNOOPING_LEVEL)
         weights = np.stack([np.diag(1 / (noise**2 * v)) for v in own.variances])
         field = FieldEstimate.from_observations(basis, precision, own.positions[used], own.residuals[used], weights[used])
         errors.append(field)
-        verdicts.append(_verdicts(basis.model, own, noise, used, field))
+        verdicts.append(_verdicts(basis.model, own, noise, change, used, field))
     size = _size_of_errors(pairs, errors, bendings, height, degrees)
     if size is None:
         # the size of a bend learned from few stretches is uncertain itself: the variance of t with as many degrees of freedom
@@ -234,9 +241,7 @@ def _size_of_errors(
     for pair, bending, first, second in zip(pairs, bendings, errors[:-1], errors[1:], strict=True):
         if first is None or second is None or bending is None or bending.model is None:
             continue
-        cells = in_cells(pair.places[:, :2], pair.vectors, np.einsum("kii->ki", pair.covariances), CELL_HEIGHTS * height)
-        resting = explained(cells, bending.model)
-        resting = resting[~bending.jumped(cells.places[resting])]
+        _, resting = _resting_cells(pair, bending, height)
         if len(resting) < FEWEST_CELLS:
             continue
         known = FieldEstimate(first.basis, second.mean - first.mean, first.covariance + second.covariance)
@@ -250,6 +255,56 @@ def _size_of_errors(
         return None
     seen = min(max(float(np.mean(found)), LEAST_SIZE), MOST_SIZE)
     return (3 * degrees * seen + SIZE_CAUTION) / (3 * degrees + SIZE_CAUTION)
+
+
+def _resting_cells(pair: PairShifts, bending: Bending, height: float) -> tuple[ShiftSample, IntArray]:
+    """Shifts by cells of ground, and the numbers of those that a smooth bend explains, outside stretches that moved as one."""
+    cells = in_cells(pair.places[:, :2], pair.vectors, np.einsum("kii->ki", pair.covariances), CELL_HEIGHTS * height)
+    if bending.model is None:
+        return cells, np.zeros(0, dtype=np.int64)
+    resting = explained(cells, bending.model)
+    return cells, resting[~bending.jumped(cells.places[resting])]
+
+
+def _changes_unlike_the_ground(
+    pairs: Sequence[PairShifts],
+    targets: Sequence[TargetShifts | None],
+    bendings: Sequence[Bending | None],
+    basis: FieldBasis,
+    noise: float,
+    height: float,
+) -> list[FloatArray]:
+    """By epoch, (k,) p-values of the changes of its targets from or to its neighbours in time, 1 where nothing says so.
+
+    A change is laid to the epoch in which the other targets contradict the target more.
+    """
+    found = [np.ones(0 if own is None else len(own.ids)) for own in targets]
+    for number, (pair, bending) in enumerate(zip(pairs, bendings, strict=True)):
+        first, second = targets[number : number + 2]
+        if first is None or second is None or bending is None:
+            continue
+        cells, resting = _resting_cells(pair, bending, height)
+        common = _common_targets(first, second)
+        if len(resting) < FEWEST_CELLS or len(common.values) < MIN_TARGETS:
+            continue
+        places = np.column_stack([cells.places[resting], np.full(len(resting), float(np.mean(pair.places[:, 2])))])
+        weights = np.stack([np.diag(1 / v) for v in cells.variances[resting]])
+        between = basis.scaled_by(math.sqrt(2))
+        ground = FieldEstimate.from_observations(between, between.precision(), places, cells.values[resting], weights)
+        a, b = _numbers_of_common(first, second)
+        p_values = p_values_of_changes(
+            common.values,
+            noise**2 * (first.variances[a] + second.variances[b]),
+            ground.at(first.positions[a]),
+            basis.model.length * basis.model.scaled(first.positions[a])[:, 0],
+            STATION_HEIGHTS * height,
+            3.0 * len(a),
+        )
+        alone = [_outlier_p_values(basis.model, own, noise, np.ones(len(own.ids), dtype=bool))[1] for own in (first, second)]
+        later = alone[1][b] < alone[0][a]
+        for epoch, numbers, blamed in ((number, a, ~later), (number + 1, b, later)):
+            found[epoch][numbers[blamed]] = np.minimum(found[epoch][numbers[blamed]], p_values[blamed])
+    return found
 
 
 def _bending_between(pair: PairShifts, targets: Sequence[TargetShifts | None], height: float, least_gain: float) -> Bending | None:
@@ -266,15 +321,21 @@ def _bending_between(pair: PairShifts, targets: Sequence[TargetShifts | None], h
 
 def _common_targets(first: TargetShifts, second: TargetShifts) -> ShiftSample:
     """Targets of two epochs as observations of the difference of their frames."""
-    names = [name for name in first.ids if name in set(second.ids)]
-    a, b = [first.ids.index(name) for name in names], [second.ids.index(name) for name in names]
+    a, b = _numbers_of_common(first, second)
     values = second.residuals[b] - first.residuals[a]
     return ShiftSample(
         places=first.positions[a][:, :2],
         values=values,
         variances=TARGET_CAUTION**2 * (first.variances[a] + second.variances[b]),
-        fixed=np.ones(len(names), dtype=bool),
+        fixed=np.ones(len(a), dtype=bool),
     )
+
+
+def _numbers_of_common(first: TargetShifts, second: TargetShifts) -> tuple[IntArray, IntArray]:
+    """Numbers of the targets that both epochs measured, in each."""
+    names = [name for name in first.ids if name in set(second.ids)]
+    a, b = (np.array([own.ids.index(name) for name in names], dtype=np.int64) for own in (first, second))
+    return a, b
 
 
 def _model(
@@ -334,14 +395,27 @@ def _target_factors(model: FieldModel, targets: Sequence[TargetShifts]) -> tuple
         for noise in NOISE_FACTORS:
             loss = 0.0
             for own in rest:
-                statistics, log_determinants = _predicted(_covariance(model.times(bend), own, noise), own.residuals)[2:]
-                # a robust pseudo-likelihood (Besag, 1975): each target given the others, with the tails of t of five degrees
-                loss += float(np.sum(4.0 * np.log1p(statistics / 5.0) + 0.5 * log_determinants))
+                statistics, log_determinants = _innovations(model.times(bend), own, noise)
+                # with the tails of t of five degrees of freedom, so that disturbed ones do not decide, its scale that of normal errors
+                loss += float(np.sum(4.0 * np.log1p(T5_SCALE * statistics / 5.0) + 0.5 * log_determinants))
             # without evidence things are as they are stated
             loss += 0.5 * (math.log(bend) / math.log(2)) ** 2 + 0.5 * (math.log(noise) / math.log(4)) ** 2
             if loss < best:
                 best, found = loss, (bend, noise)
     return found
+
+
+def _innovations(model: FieldModel, own: TargetShifts, noise: float) -> tuple[FloatArray, FloatArray]:
+    """Quadratic form and log determinant (k,) of each target given those before it along the structure: together their likelihood.
+
+    Each given all others would be a pseudo-likelihood, and a wrong one here: the neighbours of its station say where a target is, whatever
+    the bend from station to station.
+    """
+    order = np.argsort(model.scaled(own.positions)[:, 0])
+    sorted_own = replace(own, positions=own.positions[order], variances=own.variances[order])
+    factor = np.linalg.cholesky(_covariance(model, sorted_own, noise))
+    white = solve_triangular(factor, own.residuals[order].ravel(), lower=True)
+    return np.sum(white.reshape(-1, 3) ** 2, axis=1), 2 * np.sum(np.log(np.diag(factor)).reshape(-1, 3), axis=1)
 
 
 def _predicted(covariance: FloatArray, residuals: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
@@ -354,8 +428,9 @@ def _predicted(covariance: FloatArray, residuals: FloatArray) -> tuple[FloatArra
     return away, spread, np.einsum("ki,ki->k", away, solved), np.linalg.slogdet(spread)[1]
 
 
-def _p_values(model: FieldModel, own: TargetShifts, noise: float, used: BoolArray) -> FloatArray:
-    return _outlier_p_values(model, own, noise, used)[1]
+def _p_values(model: FieldModel, own: TargetShifts, noise: float, change: FloatArray, used: BoolArray) -> FloatArray:
+    """(k,) p-values by the other targets of the epoch or by the ground, whichever is less, the level shared among both."""
+    return np.asarray(np.minimum(2 * np.minimum(_outlier_p_values(model, own, noise, used)[1], change), 1.0))
 
 
 def _outlier_p_values(model: FieldModel, own: TargetShifts, noise: float, used: BoolArray) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -381,8 +456,11 @@ def _outlier_p_values(model: FieldModel, own: TargetShifts, noise: float, used: 
     return away, np.asarray(fdtrc(3, degrees, form / 3 / size)), spread * size
 
 
-def _verdicts(model: FieldModel, own: TargetShifts, noise: float, used: BoolArray, field: FieldEstimate) -> TargetVerdicts:
-    away, p_values, spread = _outlier_p_values(model, own, noise, used)
+def _verdicts(
+    model: FieldModel, own: TargetShifts, noise: float, change: FloatArray, used: BoolArray, field: FieldEstimate
+) -> TargetVerdicts:
+    away, _, spread = _outlier_p_values(model, own, noise, used)
+    p_values = _p_values(model, own, noise, change, used)
     w_max = np.max(np.abs(away) / np.sqrt(np.einsum("kii->ki", spread)), axis=1)
     left = own.residuals - field.at(own.positions).means[:, :3]
     return TargetVerdicts(residuals=np.where(used[:, None], left, away), w_max=w_max, p_values=p_values, used=used)

@@ -17,7 +17,7 @@ from ..common.noncentrality import noncentrality
 from ..common.robust import t_weights
 from ..registration.bending import axis_of
 from ..registration.frame_field import FieldEstimate
-from .congruence import Congruence, f_p_value
+from .congruence import Congruence, f_p_value, pooled_degrees
 from .displacement import POWER, SIGNIFICANCE
 from .elastic_congruence import ElasticDatum
 
@@ -86,6 +86,7 @@ def motions_of_stretches(
 ) -> dict[str, list[StretchMotion]]:
     """Common motion of every stretch with enough units, by datum."""
     stretches, _, length = stretches_of(units.places, height)
+    known = {"stable": math.inf, "control": congruence.control_degrees}
     found: dict[str, list[StretchMotion]] = {"stable": [], "control": []}
     for k, own in enumerate(stretches):
         if len(own) < FEWEST_UNITS:
@@ -94,8 +95,8 @@ def motions_of_stretches(
             means, spread = _frame_part(units, own, congruence, elastic, datum)
             motion, cofactor = _robust_mean(units.vectors[own] - means, units.covariances[own], height)
             covariance = cofactor + spread
-            degrees = congruence.null.tail if datum == "stable" else congruence.control_tail
             form = float(motion @ np.linalg.solve(covariance, motion))
+            degrees = pooled_degrees(cofactor[None], len(own) * congruence.null.tail, spread[None], known[datum])[0]
             found[datum].append(
                 StretchMotion(
                     place=units.places[own].mean(axis=0),

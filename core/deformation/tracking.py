@@ -21,13 +21,15 @@ from ..model.feature_points import FEATURES, FeaturePoints, feature_points
 from ..model.mould import Mould
 from ..model.tetrapod import relate
 from ..model.unit_types import UnitType
-from ..registration.frame_field import LocalMotions
+from ..registration.frame_field import FieldEstimate, LocalMotions
 from ..registration.transformation import Transformation, mean_offset_variance
 from ..segmentation.leg_ends import LegEnds
 from ..segmentation.surface_elements import surface_noise
+from .chained_frames import chained_errors
 from .congruence import PoseCalibration
 from .cross_check import CrossCheck, cross_check
 from .displacement import SECONDS_PER_YEAR, FramePart, Velocity, velocity
+from .elastic_congruence import ElasticDatum
 from .epoch_frames import EpochFrames, FrameChoice, estimate_frames
 from .epoch_pairs import EpochPair, TrackedUnits, compare_epochs, joint_block, shifts_between, unit_shape
 from .fitted_unit import FittedUnit
@@ -85,6 +87,8 @@ class Tracking:
         (e, 3) common shift between the clouds that identity removed, metres.
     frames
         How the epochs' frames bend; None where they are rigid.
+    frame_errors
+        By epoch, the error of its bent frame as the targets of all epochs see it, tied by resting units; None where no one knows.
     """
 
     kinds: tuple[int, ...]
@@ -97,10 +101,11 @@ class Tracking:
     velocities: dict[int, tuple[Velocity, ...]]
     shifts: FloatArray
     frames: EpochFrames | None = None
+    frame_errors: tuple[FieldEstimate | None, ...] = ()
 
     def frame_error(self, epoch: int, points: FloatArray) -> LocalMotions | None:
-        """Error of an epoch's registered cloud at (k, 3) points as its targets see it; None where its frame is rigid or has no targets."""
-        error = None if self.frames is None else self.frames.errors[epoch]
+        """Error of an epoch's registered cloud at (k, 3) points as targets see it; None where its frame is rigid or without targets."""
+        error = self.frame_errors[epoch] if self.frame_errors else None
         return None if error is None else error.at(points)
 
 
@@ -168,7 +173,13 @@ def track(
         velocities=velocities,
         shifts=identities.shifts,
         frames=frames,
+        frame_errors=() if frames is None else chained_errors(frames, _data_of_neighbours(pairs)),
     )
+
+
+def _data_of_neighbours(pairs: Sequence[EpochPair]) -> list[ElasticDatum | None]:
+    """Datums of pairs of epochs that follow each other."""
+    return [pair.elastic for pair in sorted(pairs, key=lambda pair: pair.first) if pair.second == pair.first + 1]
 
 
 def _frames(units: TrackedUnits, epochs: Sequence[TrackedEpoch], choice: FrameChoice) -> EpochFrames | None:

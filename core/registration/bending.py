@@ -32,6 +32,8 @@ GAIN = 12.0
 """Least gain of log-likelihood by which a frame is said to bend; one that does not gains 12 in fewer than one survey of ten thousand."""
 ELONGATED = 3.0
 """Length over width from which the ground is a strip, along which errors run."""
+LINE_OF_FLIGHT = 16.0
+"""Correlation length across over along of errors that run along a line of flight and are the same all across it."""
 TREND_SHIFT, TREND_SLOPE = 1.0, 0.01
 """Prior standard deviations of a shift (m) and slope that the rigid motion may leave."""
 JUMP_GAIN = 25.0
@@ -183,6 +185,10 @@ def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = G
         model, gain = _likeliest(sample, windows, axis, lengths, ratios)
     if model is None or gain <= least_gain:
         return replace(rigid, gain=gain)
+    if elongation > ELONGATED:
+        # looked for last: the freer a bend is to follow the ground, the less a step looks like one
+        wide, wide_gain = _likeliest(sample, windows, axis, lengths, (LINE_OF_FLIGHT,))
+        model, gain = (wide, wide_gain) if wide is not None and wide_gain > gain else (model, gain)
     return Bending(model=model, gain=gain, axis=axis, jumps=tuple(jumps))
 
 

@@ -261,14 +261,17 @@ class FieldEstimate:
     ) -> FieldEstimate:  # fmt: skip
         """Adjust the unknowns with prior ``precision`` about ``start`` (zero) to (k, 3) shifts with (k, 3, 3) weights at (k, 3) points."""
         mean = np.zeros(basis.size) if start is None else start
-        normal, rhs = np.array(precision), np.zeros(basis.size)
-        if len(points):
-            design = basis.design(points)
-            weighted = block_rows(weights) @ design
-            normal += (design.T @ weighted).toarray()
-            rhs = weighted.T @ (values.ravel() - design @ mean)
-        factor = cho_factor(normal)
-        return cls(basis, mean + cho_solve(factor, rhs), np.asarray(cho_solve(factor, np.eye(basis.size))))
+        information, rhs = information_of(basis, points, values, weights)
+        factor = cho_factor(precision + information)
+        return cls(
+            basis, mean + cho_solve(factor, rhs - information @ mean), np.asarray(cho_solve(factor, np.eye(basis.size)), dtype=np.float64)
+        )
+
+    def informed(self, information: FloatArray, rhs: FloatArray) -> FieldEstimate:
+        """What is known once independent observations are added, by their (size, size) normal matrix and (size,) right-hand side."""
+        gain = np.linalg.inv(np.eye(self.basis.size) + self.covariance @ information) @ self.covariance
+        covariance = np.asarray(0.5 * (gain + gain.T), dtype=np.float64)
+        return FieldEstimate(self.basis, self.mean + covariance @ (rhs - information @ self.mean), covariance)
 
     def at(self, points: FloatArray) -> LocalMotions:
         """Shift and turn at (k, 3) points."""
@@ -321,6 +324,15 @@ class LocalMotions:
             means[k] = means[k] - gain @ (values[k] - means[k][:3])
             totals[k] = totals[k] + gain @ totals[k][:3]
         return LocalMotions(means, totals)
+
+
+def information_of(basis: FieldBasis, points: FloatArray, values: FloatArray, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Normal matrix (size, size) and right-hand side (size,) of (k, 3) shifts with (k, 3, 3) weights at (k, 3) points."""
+    if not len(points):
+        return np.zeros((basis.size, basis.size)), np.zeros(basis.size)
+    design = basis.design(points)
+    weighted = block_rows(weights) @ design
+    return (design.T @ weighted).toarray(), np.asarray(weighted.T @ values.ravel())
 
 
 def block_rows(blocks: FloatArray) -> csr_array:

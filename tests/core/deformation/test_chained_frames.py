@@ -1,0 +1,102 @@
+"""Frames of all epochs from targets and resting units together."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from bent_coast import BentCoast, bent_coast
+from numpy.typing import NDArray
+from tetratrack.core.deformation.chained_frames import chained_errors
+from tetratrack.core.deformation.elastic_congruence import ElasticDatum, elastic_congruence_of
+from tetratrack.core.deformation.epoch_frames import EpochFrames, PairShifts, TargetShifts, estimate_frames
+from tetratrack.core.registration.frame_field import FieldEstimate
+
+HEIGHT = 2.3
+FloatArray = NDArray[np.float64]
+
+
+def frames_and_datum(coast: BentCoast, with_targets: tuple[bool, bool] = (True, True)) -> tuple[EpochFrames, ElasticDatum]:
+    names = tuple(f"T{k:02d}" for k in range(len(coast.targets)))
+    targets = [
+        TargetShifts(ids=names, positions=coast.targets, residuals=own, variances=np.full(own.shape, coast.target_sd**2)) if given else None
+        for own, given in zip(coast.residuals, with_targets, strict=True)
+    ]
+    shifts = PairShifts(places=coast.places, vectors=coast.displacements, covariances=coast.covariances)
+    frames = estimate_frames([shifts], targets, coast.places, HEIGHT, "auto")
+    assert frames is not None
+    control, precision = frames.between(0, 1)
+    suspects = frames.jumped(0, 1, coast.places)
+    datum = elastic_congruence_of(
+        coast.displacements, coast.covariances, coast.places, control, precision, HEIGHT, frames.degrees, suspects
+    )[1]
+    return frames, datum
+
+
+def errors_of(coast: BentCoast, fields: tuple[FieldEstimate | None, ...]) -> tuple[list[float], list[float]]:
+    """RMSE of each epoch's field in metres, and mean squared normalised error."""
+    lengths, squares = [], []
+    for field, bend in zip(fields, coast.bends, strict=True):
+        assert field is not None
+        known = field.at(coast.places)
+        away = known.means[:, :3] - bend
+        lengths.append(float(np.sqrt(np.mean(np.sum(away**2, axis=1)))))
+        squares.append(float(np.mean(away**2 / np.einsum("kii->ki", known.covariances[:, :3, :3]))))
+    return lengths, squares
+
+
+def test_units_that_rest_bring_the_targets_of_both_epochs_together() -> None:
+    """Far from targets the error of a frame is less by the square root of two, and its deviation stays true."""
+    alone, chained, squares = [], [], []
+    for seed in range(4):
+        coast = bent_coast(seed, station=70.0)
+        frames, datum = frames_and_datum(coast)
+        alone += errors_of(coast, frames.errors)[0]
+        lengths, normalised = errors_of(coast, chained_errors(frames, [datum]))
+        chained += lengths
+        squares += normalised
+    assert np.sqrt(np.mean(np.square(chained)) / np.mean(np.square(alone))) < 0.8
+    assert 0.5 < np.mean(squares) < 1.8
+
+
+def test_an_epoch_without_targets_stands_on_those_of_the_other() -> None:
+    coast = bent_coast(1, station=25.0)
+    frames, datum = frames_and_datum(coast, (True, False))
+    assert frames.errors[1] is None
+    lengths, normalised = errors_of(coast, chained_errors(frames, [datum]))
+    assert max(lengths) < 0.03
+    assert all(0.3 < value < 2.5 for value in normalised)
+
+
+def test_without_targets_nothing_is_known_of_any_epoch() -> None:
+    frames, datum = frames_and_datum(bent_coast(1, station=0.0))
+    assert chained_errors(frames, [datum]) == (None, None)
+
+
+def test_a_chain_of_three_epochs_is_one_adjustment() -> None:
+    coast = bent_coast(3, station=70.0)
+    frames, datum = frames_and_datum(coast)
+    first, last = frames.errors
+    assert first is not None
+    assert last is not None
+    other = replace(datum, information=0.5 * datum.information, rhs=-0.3 * datum.rhs)
+    chained = chained_errors(replace(frames, errors=(first, last, first)), [datum, other])
+    size = frames.basis.size
+    normal, rhs = np.zeros((3 * size, 3 * size)), np.zeros(3 * size)
+    for k, own in enumerate((first, last, first)):
+        part = slice(k * size, (k + 1) * size)
+        inverse = np.linalg.inv(own.covariance)
+        normal[part, part] += inverse
+        rhs[part] += inverse @ own.mean
+    for k, data in enumerate((datum, other)):
+        a, b = slice(k * size, (k + 1) * size), slice((k + 1) * size, (k + 2) * size)
+        for one, two in ((a, b), (b, a)):
+            normal[one, one] += data.information
+            normal[one, two] -= data.information
+        rhs[a] -= data.rhs
+        rhs[b] += data.rhs
+    solved = np.linalg.solve(normal, rhs).reshape(3, size)
+    design = frames.basis.design(coast.places[::20])
+    for field, mean in zip(chained, solved, strict=True):
+        assert field is not None
+        np.testing.assert_allclose(design @ field.mean, design @ mean, atol=2e-4)
