@@ -47,6 +47,8 @@ def drawn_as_uri(figure: Figure) -> str:
         text.set_fontfamily(families)
         # names may hold dollar signs, which are no formulas
         text.set_parse_math(False)
+    # one pass lays out with the ticks of before it, and cuts the name of an axis whose numbers change
+    figure.draw_without_rendering()
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", metadata={"Software": None})
     return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode('ascii')}"
