@@ -39,11 +39,13 @@ def temporary_beside(target: Path) -> Iterator[Path]:
     OutputError
         The target is a folder, or its folder cannot be written.
     """
-    if target.is_dir():
-        raise OutputError("is a folder", source=target, remedy="Give the name of a file.")
-    remove_leftovers(target)
     temporary = target.with_name(f".{target.name}.{process_mark()}.part")
     try:
+        if target.is_dir():
+            raise OutputError("is a folder", source=target, remedy="Give the name of a file.")
+        if target.exists() and not target.is_file():
+            raise OutputError("is a device, not a file, and would be replaced", source=target, remedy="Give the name of a file.")
+        remove_leftovers(target)
         _check_room(target.parent)
         os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o600))
     except OSError as error:

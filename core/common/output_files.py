@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
+from .atomic_files import cannot_write
 from .errors import OutputError
 from .paths import RESERVED, spelling
 
@@ -29,7 +30,13 @@ def check_targets(targets: Iterable[tuple[Path, str]], inputs: Iterable[Path] = 
     read = {_identity(path): path for path in inputs if path.exists()}
     made: dict[str, str] = {}
     for target, origin in targets:
-        if target.exists() and _identity(target) in read:
+        # seen as it will be once folders are made: ".." behind one that is not there yet leads to the inputs too
+        place = Path(os.path.realpath(target))
+        try:
+            taken = place.exists() and _identity(place) in read
+        except OSError as error:
+            raise cannot_write(target, error) from error
+        if taken:
             raise OutputError(
                 "is one of the inputs and would be overwritten", source=target, remedy="Choose another folder or name for the output."
             )
@@ -37,6 +44,34 @@ def check_targets(targets: Iterable[tuple[Path, str]], inputs: Iterable[Path] = 
         if name in made:
             raise OutputError(f"would be written twice, for {made[name]} and for {origin}", source=target, remedy="Rename one of the two.")
         made[name] = origin
+
+
+def check_own(target: Path, marks: Iterable[str]) -> None:
+    """Refuse to replace a file that another program or another command wrote; an empty one is nobody's.
+
+    Parameters
+    ----------
+    target
+        File to be written.
+    marks
+        Words near the start of every file of its kind.
+
+    Raises
+    ------
+    OutputError
+        Before anything is written.
+    """
+    try:
+        with target.open("rb") as stream:
+            start = stream.read(65536)
+    except FileNotFoundError:
+        return
+    except OSError as error:
+        raise cannot_write(target, error) from error
+    if start.strip() and not all(mark.encode("utf-8") in start for mark in marks):
+        raise OutputError(
+            "exists and was not written by this command", source=target, remedy="Choose another name for the output, or delete it first."
+        )
 
 
 def _identity(path: Path) -> tuple[int, int] | str:

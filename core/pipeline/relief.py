@@ -14,6 +14,7 @@ from scipy.ndimage import uniform_filter
 
 from ..common.arrays import FloatArray
 from ..common.atomic_files import write_whole
+from ..common.errors import OutputError
 from ..common.feedback import Feedback
 from ..common.output_files import check_targets, safe_name
 from ..data.crs import LOCAL
@@ -161,6 +162,8 @@ def run_relief(survey: Survey, prefix: Path, feedback: Feedback) -> dict[str, An
     """
     targets = {epoch.label: prefix.with_name(f"{prefix.name}_{safe_name(epoch.label)}.tif") for epoch in survey.epochs}
     check_targets([(target, f"epoch {label}") for label, target in targets.items()], survey.files)
+    if not prefix.absolute().parent.is_dir():
+        raise OutputError("cannot be written: its folder does not exist", source=prefix, remedy=f"Create {prefix.absolute().parent} first.")
     plans = plan_survey(survey, feedback.part(0, 0.05))
     total = sum(len(plan.tiles) for plan in plans)
     height = max(unit.type.height for unit in survey.units)

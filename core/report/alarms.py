@@ -12,6 +12,7 @@ from typing import Any
 from ..common.atomic_files import write_whole
 from ..common.csv_text import SPREADSHEET_ENCODING, signs, spreadsheet_safe
 from ..common.errors import InputError
+from ..common.output_files import check_own
 from ..results.field_checks import foreign_contents
 from ..results.geopackage_reader import EpochPair, srs_of
 from ..results.result_access import reading
@@ -84,8 +85,10 @@ def _write_alarms(result: Path, output: Path, threshold: float, pair: EpochPair 
         records.append(_record(row, chosen, reference, words))
     kind = output.suffix.lower()
     if kind == ".csv":
+        check_own(output, COLUMNS[:3])
         content = _csv(records, separator).encode(SPREADSHEET_ENCODING)
     elif kind in (".geojson", ".json"):
+        check_own(output, (_GEOJSON_START,))
         with reading(result) as connection:
             content = _geojson(rows, records, srs_of(connection)).encode("utf-8")
     else:
@@ -94,6 +97,9 @@ def _write_alarms(result: Path, output: Path, threshold: float, pair: EpochPair 
         )
     write_whole(output, content)
     return len(rows)
+
+
+_GEOJSON_START = '{\n "type": "FeatureCollection",\n "features": ['
 
 
 def _record(row: UnitRow, pair: EpochPair, datum: str, words: tuple[str, str, str]) -> dict[str, Any]:

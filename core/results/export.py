@@ -10,7 +10,7 @@ from typing import Any
 from ..common.atomic_files import write_all
 from ..common.csv_text import SPREADSHEET_ENCODING, signs, spreadsheet_safe
 from ..common.errors import InputError, OutputError
-from ..common.output_files import check_targets
+from ..common.output_files import check_own, check_targets
 from ..common.sqlite_files import has_leftovers
 from .geopackage_reader import table_names
 from .result_access import is_writable, reading
@@ -67,11 +67,14 @@ def export_layers(
             target = folder / f"{name}.{kind}"
             buffer = io.BytesIO()
             if kind == "csv":
-                _safe(_flat(frame)).to_csv(
+                table = _safe(_flat(frame))
+                check_own(target, [str(name) for name in table.columns[:3]])
+                table.to_csv(
                     buffer, index=False, date_format="%Y-%m-%dT%H:%M:%SZ", encoding=SPREADSHEET_ENCODING, sep=between, decimal=decimal
                 )
             else:
                 frame.to_parquet(buffer, index=False)
+                check_own(target, ("PAR1",))
             contents[target] = buffer.getvalue()
     write_all(contents)
     return list(contents)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import shutil
 from pathlib import Path
 
 import pytest
 from crooked_las import write_survey
 from las_files import grid_points, write_las
+from tetratrack.core.common.atomic_files import write_whole
 from tetratrack.core.common.errors import OutputError
 from tetratrack.core.common.output_files import check_targets, safe_name
 from tetratrack.scripts.cli import app
@@ -81,6 +83,43 @@ def test_links_and_other_ways_to_write_a_path_are_seen_through(tmp_path: Path) -
     with pytest.raises(OutputError, match="would be written twice, for one and for two"):
         check_targets([(tmp_path / "b.laz", "one"), (tmp_path / "x" / ".." / "b.laz", "two")])
     check_targets([(tmp_path / "b.laz", "one")], [tile, tmp_path / "gone.laz"])
+
+
+def test_a_way_that_leads_over_a_folder_not_there_yet_is_seen_through(site: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Once the folder is made, ``x/../tiles`` is the folder of the tiles."""
+    monkeypatch.chdir(site)
+    refused(site, "label-tiles", "survey.toml", "result.gpkg", "--folder", "x/../tiles", said=INPUT)
+
+
+def test_a_device_is_no_file_to_be_replaced(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.csv")
+    with pytest.raises(OutputError, match="is a device, not a file"):
+        write_whole(tmp_path / "pipe.csv", b"a")
+    with pytest.raises(OutputError, match="too long"):
+        write_whole(tmp_path / ("x" * 300), b"a")
+    with pytest.raises(OutputError, match="too long"):
+        check_targets([(tmp_path / ("x" * 300), "the result")])
+
+
+def test_tables_of_others_are_not_replaced(site: Path) -> None:
+    """Neither control, which a result does not know the place of, nor what a user wrote into a table of an earlier export."""
+    result = str(site / "result.gpkg")
+    foreign = "exists and was not written by this command"
+    refused(site, "alarms", result, "-o", "SITE/control_2024-04-09.csv", "--threshold", "0", said=foreign)
+    (site / "areas.geojson").write_text('{"type": "FeatureCollection", "features": [{"type": "Feature"}]}')
+    refused(site, "alarms", result, "-o", "SITE/areas.geojson", "--threshold", "0", said=foreign)
+    (site / "out").mkdir()
+    (site / "out" / "units.csv").write_text("my notes on units\n")
+    refused(site, "export", result, "-o", "SITE/out", said=foreign)
+    (site / "out" / "units.csv").write_text("")
+    for _ in range(2):
+        for arguments in (
+            ("export", "-o", "out"),
+            ("alarms", "-o", "a.csv", "--threshold", "0"),
+            ("alarms", "-o", "a.geojson", "--threshold", "9"),
+        ):
+            done = CliRunner().invoke(app, [arguments[0], result, "-o", str(site / arguments[2]), *arguments[3:]])
+            assert done.exit_code == 0, done.output
 
 
 def test_two_reliefs_of_one_name_are_refused(tmp_path: Path) -> None:
