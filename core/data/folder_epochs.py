@@ -142,11 +142,10 @@ def _clouds_in(root: Path) -> list[Path]:
     tiles = [path for path in files if path.suffix.lower() in ENDINGS]
     with_tiles = {path.parent for path in tiles}
     others = [path for path in files if path.suffix.lower() in OTHER_ENDINGS and path.parent not in with_tiles]
-    virtual = [path for path in files if path.suffix.lower() == VIRTUAL]
-    named = {tile.resolve(): tile for tile in expanded(virtual)}
-    return sorted(
-        [*tiles, *others, *(tile for place, tile in named.items() if place not in {path.resolve() for path in (*tiles, *others)})]
-    )
+    # one that stands beside or above tiles is their index, perhaps of before they were moved
+    indexed = {folder for path in (*tiles, *others) for folder in path.parents}
+    virtual = [path for path in files if path.suffix.lower() == VIRTUAL and path.parent not in indexed]
+    return sorted({*tiles, *others, *expanded(virtual)})
 
 
 def _hidden(path: Path, root: Path) -> bool:

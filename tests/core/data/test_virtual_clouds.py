@@ -27,11 +27,15 @@ def test_tiles_stand_in_its_place(tmp_path: Path) -> None:
     assert len(expanded([path, tiles_of(path)[0]])) == 2
 
 
-def test_beside_its_tiles_it_adds_nothing(tmp_path: Path) -> None:
-    write_las(tmp_path / "a_20240409.laz", grid_points())
+def test_in_a_folder_it_counts_where_no_tiles_stand_below(tmp_path: Path) -> None:
+    tile = write_las(tmp_path / "a_20240409.laz", grid_points())
     write_vpc(tmp_path / "all.vpc", ["./a_20240409.laz"])
-    assert len(find_tiles([tmp_path])) == 1
     assert len(find_tiles([tmp_path / "all.vpc"])) == 1
+    write_vpc(tmp_path / "all.vpc", ["/elsewhere/a_20240409.laz"])
+    assert len(find_tiles([tmp_path])) == 1
+    (tmp_path / "index").mkdir()
+    write_vpc(tmp_path / "index" / "all.vpc", ["../a_20240409.laz"])
+    assert [found.info.path.resolve() for found in find_tiles([tmp_path / "index"])] == [tile.resolve()]
 
 
 @pytest.mark.parametrize(
