@@ -31,6 +31,8 @@ LEAST_OVERLAP = 0.05
 """Share of the smaller extent that two epochs must have in common to be compared."""
 CATALOGUE_NEAR = 0.012
 """A catalogue unit whose height differs by less is named beside the estimate."""
+ASTRAY = 0.05
+"""Share of the units of a size that may stand among those of another: what was taken for a unit there and is none."""
 PLAIN_NAMES = ("tiles", "las", "laz", "pointclouds", "point_clouds", "clouds", "data")
 """Folders called so are named after what holds them."""
 ASSUMED_SD = 0.005
@@ -372,11 +374,11 @@ def unit_areas(sizes: Sequence[FoundSize], points: FloatArray, origin: FloatArra
     boxes = [[low - margin, high + margin] for _ in sizes]
     for a in range(len(sizes)):
         for b in range(a):
-            axis = _parting_axis(sizes[a].centres, sizes[b].centres)
-            if axis is None:
+            parted = _parted(sizes[a].centres, sizes[b].centres)
+            if parted is None:
                 return None
-            first, second = (a, b) if sizes[a].centres[:, axis].max() < sizes[b].centres[:, axis].min() else (b, a)
-            cut = 0.5 * (sizes[first].centres[:, axis].max() + sizes[second].centres[:, axis].min())
+            axis, cut, in_order = parted
+            first, second = (a, b) if in_order else (b, a)
             boxes[first][1] = np.where(np.arange(2) == axis, np.minimum(boxes[first][1], cut), boxes[first][1])
             boxes[second][0] = np.where(np.arange(2) == axis, np.maximum(boxes[second][0], cut), boxes[second][0])
     rings: list[Ring] = []
@@ -387,12 +389,21 @@ def unit_areas(sizes: Sequence[FoundSize], points: FloatArray, origin: FloatArra
     return rings
 
 
-def _parting_axis(a: FloatArray, b: FloatArray) -> int | None:
-    """Coordinate in which two groups of units lie clearly apart."""
+def _parted(a: FloatArray, b: FloatArray) -> tuple[int, float, bool] | None:
+    """Coordinate and value that part two groups of units but for single ones, and whether the first lies below; None where none does."""
+    best: tuple[int, float, int, float, bool] | None = None
     for axis in (0, 1):
-        if a[:, axis].max() < b[:, axis].min() or b[:, axis].max() < a[:, axis].min():
-            return axis
-    return None
+        for in_order, below, above in ((True, a[:, axis], b[:, axis]), (False, b[:, axis], a[:, axis])):
+            places = np.unique(np.concatenate([below, above]))
+            for before, after in pairwise(places):
+                cut = 0.5 * (before + after)
+                wrong = int((below > cut).sum()), int((above < cut).sum())
+                if wrong[0] > ASTRAY * len(below) or wrong[1] > ASTRAY * len(above):
+                    continue
+                # fewest on the wrong side, then the widest gap
+                found = (sum(wrong), before - after, axis, float(cut), in_order)
+                best = found if best is None else min(best, found)
+    return None if best is None else (best[2], best[3], best[4])
 
 
 def write_draft(draft: SurveyDraft, path: Path) -> None:
