@@ -2,28 +2,36 @@
 
 A stretch's motion in datum ``control`` is the mean displacement of its units less what targets say of the frames there; in datum
 ``stable`` it is less what the units of all other stretches (and targets) say, so that a stretch cannot explain itself. Its covariance
-holds the frames' common error, which does not become less with the number of units.
+holds the frames' common error, which does not become less with the number of units, and what stretches that did not move differ by
+beyond that: errors that neighbours share, of a station or strip, of growth or of a bend too small to be told. That variance is learned
+from the other stretches of the structure, as the variance between groups is in an analysis of random effects (DerSimonian and Laird,
+1986, Controlled Clinical Trials 7), by their median, so that a stretch that moved does not hide itself or another.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import brentq
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.noncentrality import noncentrality
-from ..common.robust import t_weights
+from ..common.robust import CHI2_3_MEDIAN, t_weights
 from ..registration.bending import axis_of
 from ..registration.frame_field import FieldEstimate
-from .congruence import Congruence, f_p_value, pooled_degrees
-from .displacement import POWER, SIGNIFICANCE
+from .congruence import Congruence, f_p_value, pooled_degrees, quadratic
+from .displacement import POWER, SIGNIFICANCE, adjusted_p_values
 from .elastic_congruence import ElasticDatum
 
+DATUMS = ("stable", "control")
 STRETCH_HEIGHTS = 10.0
 """Length of a stretch in heights of a unit."""
 FEWEST_UNITS = 5
+FEWEST_OTHERS = 4
+"""Other stretches, none of them overlapping, from which their variance is learned."""
 MOST_UNKNOWNS = 2500
 """Unknowns of a field up to which it is adjusted anew without each stretch."""
 
@@ -42,8 +50,8 @@ class StretchMotion:
         Units that were averaged.
     motion, covariance
         (3,), (3, 3) metres.
-    p_value
-        Test against zero.
+    p_value, adjusted
+        Test against zero, and the smallest false discovery rate at which it is called among all stretches of the pair.
     detectable
         Motion found with a power of 80 % in the worst direction, metres: what is less cannot be told from the frames' error.
     """
@@ -55,6 +63,7 @@ class StretchMotion:
     motion: FloatArray
     covariance: FloatArray
     p_value: float
+    adjusted: float
     detectable: float
 
 
@@ -86,30 +95,70 @@ def motions_of_stretches(
 ) -> dict[str, list[StretchMotion]]:
     """Common motion of every stretch with enough units, by datum."""
     stretches, _, length = stretches_of(units.places, height)
-    known = {"stable": math.inf, "control": congruence.control_degrees}
-    found: dict[str, list[StretchMotion]] = {"stable": [], "control": []}
-    for k, own in enumerate(stretches):
-        if len(own) < FEWEST_UNITS:
-            continue
-        for datum in found:
-            means, spread = _frame_part(units, own, congruence, elastic, datum)
-            motion, cofactor = _robust_mean(units.vectors[own] - means, units.covariances[own], height)
-            covariance = cofactor + spread
-            form = float(motion @ np.linalg.solve(covariance, motion))
-            degrees = pooled_degrees(cofactor[None], len(own) * congruence.null.tail, spread[None], known[datum])[0]
-            found[datum].append(
-                StretchMotion(
-                    place=units.places[own].mean(axis=0),
-                    along_from=0.5 * k * length,
-                    along_to=(0.5 * k + 1) * length,
-                    units=len(own),
-                    motion=motion,
-                    covariance=covariance,
-                    p_value=float(f_p_value(np.array([form]), degrees)[0]),
-                    detectable=math.sqrt(noncentrality(SIGNIFICANCE, POWER) * float(np.linalg.eigvalsh(covariance)[-1])),
-                )
+    numbers = [k for k, own in enumerate(stretches) if len(own) >= FEWEST_UNITS]
+    means = {datum: [_mean_motion(units, stretches[k], congruence, elastic, datum, height) for k in numbers] for datum in DATUMS}
+    between = [_between_stretches(means["stable"], [abs(j - k) > 1 for j in numbers]) for k in numbers]
+    found: dict[str, list[StretchMotion]] = {}
+    for datum, known in (("stable", math.inf), ("control", congruence.control_degrees)):
+        covariances, p_values = [], []
+        for k, mean, (variance, degrees) in zip(numbers, means[datum], between, strict=True):
+            own = mean.cofactor + variance * np.eye(3)
+            own_degrees = min(degrees, len(stretches[k]) * congruence.null.tail)
+            covariances.append(own + mean.frame)
+            form = float(mean.motion @ np.linalg.solve(covariances[-1], mean.motion))
+            pooled = pooled_degrees(own[None], own_degrees, mean.frame[None], known)
+            p_values.append(float(f_p_value(np.array([form]), pooled)[0]))
+        found[datum] = [
+            StretchMotion(
+                place=units.places[stretches[k]].mean(axis=0),
+                along_from=0.5 * k * length,
+                along_to=(0.5 * k + 1) * length,
+                units=len(stretches[k]),
+                motion=mean.motion,
+                covariance=covariance,
+                p_value=p_value,
+                adjusted=float(adjusted),
+                detectable=math.sqrt(noncentrality(SIGNIFICANCE, POWER) * float(np.linalg.eigvalsh(covariance)[-1])),
             )
+            for k, mean, covariance, p_value, adjusted in zip(
+                numbers, means[datum], covariances, p_values, adjusted_p_values(p_values), strict=True
+            )
+        ]
     return found
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class _MeanMotion:
+    """Mean (3,) of a stretch's motions, its covariance (3, 3) by the units' own errors, and that of the frames (3, 3)."""
+
+    motion: FloatArray
+    cofactor: FloatArray
+    frame: FloatArray
+
+
+def _mean_motion(
+    units: JudgedUnits, own: IntArray, congruence: Congruence, elastic: ElasticDatum | None, datum: str, height: float
+) -> _MeanMotion:
+    shifts, frame = _frame_part(units, own, congruence, elastic, datum)
+    motion, cofactor = _robust_mean(units.vectors[own] - shifts, units.covariances[own], height)
+    return _MeanMotion(motion=motion, cofactor=cofactor, frame=frame)
+
+
+def _between_stretches(means: Sequence[_MeanMotion], others: Sequence[bool]) -> tuple[float, float]:
+    """Variance (square metres) by which resting stretches differ beyond what is stated, from the others, and its degrees of freedom."""
+    chosen = [mean for mean, other in zip(means, others, strict=True) if other]
+    if len(chosen) < FEWEST_OTHERS:
+        return 0.0, math.inf
+    motions = np.array([mean.motion for mean in chosen])
+    covariances = np.array([mean.cofactor + mean.frame for mean in chosen])
+
+    def misfit(variance: float) -> float:
+        return float(np.median(quadratic(motions, covariances + variance * np.eye(3)))) - CHI2_3_MEDIAN
+
+    largest = float(np.max(np.sum(motions**2, axis=1)))
+    variance = float(brentq(misfit, 0.0, largest)) if misfit(0.0) > 0 else 0.0
+    # stretches overlap by half
+    return variance, 0.5 * len(chosen)
 
 
 def _frame_part(

@@ -119,7 +119,7 @@ def stretch_rows(pairs: Sequence[EpochPair], epochs: Sequence[TrackedEpoch], ori
                         "along_to": stretch.along_to,
                         "units": stretch.units,
                         "p_value": stretch.p_value,
-                        "significant": bool(stretch.p_value < level),
+                        "significant": bool(stretch.adjusted < level),
                         "detectable": stretch.detectable,
                         "geometry": stretch.place + origin,
                     }

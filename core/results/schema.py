@@ -377,7 +377,11 @@ LAYERS: dict[str, Layer] = {
                 Field("d_3d", "real", "length of the common motion", "m"),
                 *_sd("the common motion, the frames' error included"),
                 Field("p_value", "real", "probability of a motion at least as large if the stretch did not move"),
-                Field("significant", "boolean", "the motion is significant at the level of the run"),
+                Field(
+                    "significant",
+                    "boolean",
+                    "the motion is significant at the level of the run among all stretches of the pair (false discovery rate)",
+                ),
                 Field(
                     "detectable",
                     "real",
