@@ -1,7 +1,7 @@
 """Pictures of a real QGIS window for docs/images; started by ``xvfb-run qgis --code scripts/dev/screenshots.py`` (see docs/development.md).
 
 The environment names what to show: TETRATRACK_SHOTS is the folder to write to, TETRATRACK_RESULT a result with its reliefs beside
-it, TETRATRACK_SUFFIX is appended to the names of the pictures.
+it, TETRATRACK_SURVEY the survey.toml that the dialog is to hold, TETRATRACK_SUFFIX is appended to the names of the pictures.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from qgis.utils import iface, plugins
 
 FOLDER = Path(os.environ["TETRATRACK_SHOTS"])
 RESULT = Path(os.environ["TETRATRACK_RESULT"])
+SURVEY = os.environ.get("TETRATRACK_SURVEY", "")
 SUFFIX = os.environ.get("TETRATRACK_SUFFIX", "")
 
 
@@ -82,7 +83,7 @@ def main() -> None:
     keep(toolbox, "toolbox")
     toolbox.hide()
     for algorithm in ("monitorsurvey", "planningdetectability"):
-        dialog = processing.createAlgorithmDialog(f"tetratrack:{algorithm}", {})
+        dialog = processing.createAlgorithmDialog(f"tetratrack:{algorithm}", {"SURVEY": SURVEY} if SURVEY else {})
         dialog.resize(1100, 800)
         dialog.show()
         wait(1500)
