@@ -6,8 +6,9 @@ PLY states no CRS and E57 seldom does: ``undeclared_crs`` or ``tiles_crs`` of su
 from __future__ import annotations
 
 import contextlib
-import io
 import os
+import subprocess  # nosec B404 - a reader is started with fixed arguments
+import sys
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -18,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from ..common.arrays import FloatArray
-from ..common.atomic_files import temporary_beside
+from ..common.atomic_files import temporary_beside, temporary_folder
 from ..common.errors import InputError
 from ..common.user_cache import cache_folder
 from .scan_cache import key_of
@@ -37,6 +38,12 @@ E57_ORIGIN = date(1980, 1, 6)
 """From here E57 counts seconds (ASTM E2807-11, 8.4.3, dateTimeValue)."""
 CARTESIAN = ("cartesianX", "cartesianY", "cartesianZ")
 SPHERICAL = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
+PLY_PROGRAM = """
+import sys, numpy, open3d
+cloud = open3d.t.io.read_point_cloud(sys.argv[1], format="ply")
+if "positions" in cloud.point:
+    numpy.save(sys.argv[2], cloud.point.positions.numpy())
+"""
 INSTALL = 'Install it beside the engine (pip install "tetratrack[e57]"), or export the scans as LAZ.'
 
 
@@ -129,21 +136,21 @@ def _write(cloud: _Cloud, target: Path) -> None:
 
 
 def _ply(path: Path) -> _Cloud:
-    """Vertices of a PLY; Open3D says what is wrong in a printed warning, and returns numbers that nobody wrote."""
-    import open3d
-
+    """Vertices of a PLY, read by a process of its own: damaged files end Open3D's reader without a word, or leave numbers nobody wrote."""
     if path.stat().st_size == 0:
         raise InputError("is empty", source=path, remedy="Export it again.")
-    said = io.StringIO()
-    with contextlib.redirect_stdout(said):
-        read = open3d.t.io.read_point_cloud(path, format="ply")
-    if "failed" in said.getvalue() or "positions" not in read.point:
-        reason = "its header makes no sense" if "header" in said.getvalue() else "it is damaged, or ends early"
-        raise _damaged(path, ValueError(reason))
-    stored = read.point.positions.numpy()
+    with temporary_folder() as folder:
+        target = folder / "positions.npy"
+        # the interpreter that runs this, with a program of this module and two paths
+        command = [sys.executable, "-I", "-c", PLY_PROGRAM, str(path.absolute()), str(target)]
+        done = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, check=False)  # nosec B603
+        if done.returncode or b"failed" in done.stdout or not target.is_file():
+            header = b"header" in done.stdout
+            raise _damaged(path, ValueError("its header makes no sense" if header else "it is damaged, or ends early"))
+        stored = np.load(target, allow_pickle=False)
     xyz = np.asarray(stored, dtype=np.float64)
     _check(xyz, path)
-    if stored.dtype == np.float32:
+    if stored.dtype == np.float32 and len(stored):
         step = float(np.spacing(np.abs(stored).max()))
         if step > COARSEST:
             raise InputError(

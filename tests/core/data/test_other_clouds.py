@@ -158,7 +158,9 @@ def test_labels_go_into_a_copy_as_laz(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("ending", [".ply", ".e57"])
-@pytest.mark.parametrize("content", [b"", b"hello", b"ply\nformat binary_little_endian 1.0\n"])
+@pytest.mark.parametrize(
+    "content", [b"", b"hello", b"ply\nformat binary_little_endian 1.0\n", b"ply\nformat binary_little_endian 1.0\ncomment"]
+)
 def test_what_is_no_cloud(tmp_path: Path, ending: str, content: bytes) -> None:
     if ending == ".e57":
         pytest.importorskip("pye57")
