@@ -62,6 +62,9 @@ def check_own(target: Path, marks: Iterable[str]) -> None:
         Before anything is written.
     """
     try:
+        # a device is refused where it would be replaced
+        if target.exists() and not target.is_file():
+            return
         with target.open("rb") as stream:
             start = stream.read(65536)
     except FileNotFoundError:

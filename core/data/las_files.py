@@ -18,6 +18,7 @@ import numpy as np
 
 from ..common.arrays import FloatArray
 from ..common.errors import InputError, TetratrackError
+from ..common.input_files import check_regular
 from .other_clouds import as_las
 
 CHUNK_POINTS = 1_000_000
@@ -137,6 +138,7 @@ def read_header(path: Path) -> LasHeader:
         In one sentence.
     """
     try:
+        check_regular(path)
         stored = as_las(path)
         with stored.open("rb") as stream:
             return _parsed(path, stored, stored.stat().st_size, stream)

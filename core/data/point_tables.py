@@ -13,6 +13,7 @@ import numpy as np
 
 from ..common.arrays import FloatArray
 from ..common.errors import InputError
+from ..common.input_files import content_of
 from .table_text import TableError, columns_of, decoded, split_table
 
 Axes = Literal["en", "ne"]
@@ -98,7 +99,7 @@ def read_point_table(
     """
     source, text, positive = Path(path), tuple(text), tuple(positive)
     try:
-        table = split_table(decoded(source.read_bytes()))
+        table = split_table(decoded(content_of(source)))
     except TableError as error:
         unclosed = "Look for a quotation mark that is not closed."
         remedy = "Save it as UTF-8 text with commas (CSV)." if "text" in str(error) else unclosed

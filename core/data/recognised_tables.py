@@ -144,10 +144,15 @@ def _same_date(named: NamedDate, label: str) -> bool:
     return label.startswith(named.label) or named.label.startswith(label)
 
 
+def _start_of(path: Path) -> bytes:
+    with path.open("rb") as stream:
+        return stream.read(2_000_000)
+
+
 def _recognised(path: Path, extent: Extent, local: bool) -> FoundTable | str:
     """What a table is, or why it is not used; an empty text where it is no table of points at all."""
     try:
-        table = split_table(decoded(path.read_bytes()[:2_000_000], "replace"))
+        table = split_table(decoded(_start_of(path), "replace"))
     except (OSError, TableError):
         return ""
     role, columns = _role(path, table)

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from ..common.errors import InputError
+from ..common.input_files import content_of
 from ..model.mould import Mould
 from ..model.unit_types import UnitType
 from .crs import LOCAL, check_survey_crs
@@ -188,7 +189,7 @@ def read_survey(path: str | Path) -> Survey:
     """
     source = Path(path).absolute()
     try:
-        text = source.read_bytes().decode("utf-8-sig")
+        text = content_of(source, 4 * LARGEST_FILE).decode("utf-8-sig")
     except FileNotFoundError as error:
         raise InputError("there is no such file", source=source, remedy="Write one with: tetratrack template > survey.toml") from error
     except (OSError, UnicodeDecodeError) as error:

@@ -9,6 +9,7 @@ from typing import Any
 from urllib.parse import unquote, urlparse
 
 from ..common.errors import InputError
+from ..common.input_files import content_of
 
 ENDING = ".vpc"
 
@@ -36,7 +37,7 @@ def tiles_of(path: Path) -> list[Path]:
         It is damaged, names no tile, or one that is not there.
     """
     try:
-        features = json.loads(path.read_text(encoding="utf-8-sig"))["features"]
+        features = json.loads(content_of(path).decode("utf-8-sig"))["features"]
         links = [asset["href"] for feature in features for asset in feature["assets"].values() if not _overview(asset)]
         tiles = [_located(path, str(link)) for link in links]
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ..common.errors import InputError
+from ..common.input_files import content_of
 from .new_survey import GivenEpoch
 
 
@@ -20,7 +21,7 @@ def read_given_epochs(path: Path) -> list[GivenEpoch]:
         The file is none of ours, or a time is none.
     """
     try:
-        rows = json.loads(path.read_text(encoding="utf-8"))
+        rows = json.loads(content_of(path).decode("utf-8"))
         return [_epoch(row, k + 1) for k, row in enumerate(rows)]
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         raise InputError(f"holds no epochs ({error})", source=path, remedy="Give the file that the plugin writes.") from error

@@ -414,8 +414,13 @@ def write_draft(draft: SurveyDraft, path: Path) -> None:
     OutputError
         The file is somebody's own, or cannot be written.
     """
-    if path.exists() and not path.read_text(encoding="utf-8", errors="replace").startswith(FIRST_LINE):
-        raise OutputError("is there already, and not written by tetratrack init", source=path, remedy="Move it away, or give another name.")
+    if path.is_file():
+        with path.open("rb") as stream:
+            start = stream.read(len(FIRST_LINE.encode("utf-8")))
+        if start != FIRST_LINE.encode("utf-8"):
+            raise OutputError(
+                "is there already, and not written by tetratrack init", source=path, remedy="Move it away, or give another name."
+            )
     with temporary_beside(path) as temporary:
         temporary.write_text(draft_text(draft, path.absolute().parent), encoding="utf-8")
         replace_durably(temporary, path)

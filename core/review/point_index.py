@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike
 from ..common.arrays import FloatArray, IntArray
 from ..common.atomic_files import process_mark, remove_leftovers
 from ..common.errors import InputError, OutputError
+from ..common.input_files import content_of
 
 INDEX_VERSION = 3
 SCALE = 1e-4
@@ -89,9 +90,9 @@ class PointIndex:
         if not description.is_file():
             raise InputError("there is no point index", source=self.folder, remedy=REMEDY)
         try:
-            content = json.loads(description.read_text(encoding="utf-8"))
+            content = json.loads(content_of(description).decode("utf-8"))
             version = content["version"]
-        except (KeyError, OSError, RecursionError, TypeError, ValueError) as error:
+        except (InputError, KeyError, OSError, RecursionError, TypeError, ValueError) as error:
             raise damaged(description) from error
         if version != INDEX_VERSION:
             raise InputError(f"is a point index of version {version}, not {INDEX_VERSION}", source=description, remedy=REMEDY)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import shutil
 import sqlite3
@@ -158,6 +159,26 @@ def test_tables_as_spreadsheets_write_them(tmp_path: Path, data: bytes, told: st
     with pytest.raises(InputError, match=told) as error:
         read_control(path)
     assert len(str(error.value)) < 600
+
+
+@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="devices as Linux has them")
+def test_devices_and_pipes_are_no_inputs(tmp_path: Path) -> None:
+    """One never ends and fills the memory, the other waits for ever."""
+    os.mkfifo(tmp_path / "pipe")
+    for name in ("zero.toml", "zero.csv", "zero.laz", "zero.vpc"):
+        (tmp_path / name).symlink_to("/dev/zero")
+        (tmp_path / name.replace("zero", "pipe")).symlink_to(tmp_path / "pipe")
+    for kind in ("zero", "pipe"):
+        for name in (f"{kind}.toml", f"{kind}.laz", f"{kind}.vpc"):
+            told = CliRunner().invoke(app, ["inspect", str(tmp_path / name)])
+            assert told.exit_code == 2
+            assert "is a device, not a file" in told.stderr
+        with pytest.raises(InputError, match="is a device, not a file"):
+            read_control(tmp_path / f"{kind}.csv")
+    write_las(tmp_path / "a.laz", grid_points())
+    told = CliRunner().invoke(app, ["init", str(tmp_path / "a.laz"), "--no-size", "-o", "/dev/full"])
+    assert told.exit_code == 2
+    assert "is a device, not a file, and would be replaced" in told.stderr
 
 
 @pytest.mark.parametrize(
