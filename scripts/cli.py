@@ -146,7 +146,7 @@ def init(
 @app.command()
 def inspect(
     tiles: Annotated[
-        list[str], typer.Argument(metavar="TILES...", help="LAS, LAZ, COPC, E57, PLY or VPC files, or a survey.toml", show_default=False)
+        list[str], typer.Argument(metavar="TILES...", help="Tiles, folders or patterns of them, or a survey.toml", show_default=False)
     ],
     output: Annotated[Path | None, typer.Option("--output", "-o", help="GeoPackage for a layer of the tiles' extents")] = None,
     quiet: Quiet = False,
@@ -157,12 +157,12 @@ def inspect(
 
     def step(console: Console) -> dict[str, Any]:
         from ..core.data.file_patterns import given_paths
+        from ..core.data.folder_epochs import given_tiles
         from ..core.data.survey import read_survey
-        from ..core.data.virtual_clouds import expanded
         from ..core.pipeline.inspection import run_inspect
 
         feedback = Feedback(console.progress, console.info, console.warning)
-        inputs = [read_survey(path) if path.suffix.lower() == ".toml" else path for path in expanded(given_paths(tiles))]
+        inputs = [read_survey(path) if path.suffix.lower() == ".toml" else path for path in given_tiles(given_paths(tiles))]
         outputs, error = run_inspect(inputs, output, feedback)
         if error is not None:
             console.result(outputs)

@@ -96,10 +96,7 @@ def find_tiles(roots: Iterable[Path], progress: Callable[[float, str], None] = l
         if root.is_file():
             places |= {path: path.parent for path in expanded([root.absolute()]) if path not in places}
             continue
-        found = _clouds_in(root)
-        if not found:
-            raise InputError("holds no point cloud (LAS, LAZ, COPC, E57, PLY)", source=root, remedy=_what_else(root))
-        for path in found:
+        for path in _some_clouds(root):
             places.setdefault(path.absolute(), root.absolute())
     out = []
     for k, (path, root) in enumerate(places.items()):
@@ -112,6 +109,24 @@ def find_tiles(roots: Iterable[Path], progress: Callable[[float, str], None] = l
         folder = next(iter(places)).parent
         raise InputError("holds tiles without a single point that can be used", source=folder, remedy="Give other tiles.")
     return out
+
+
+def clouds_in(root: Path) -> list[Path]:
+    """Point clouds in a folder and below, sorted; none is no error.
+
+    Raises
+    ------
+    InputError
+        A virtual point cloud is damaged.
+    """
+    files = [path for path in sorted(root.rglob("*")) if path.is_file() and not _hidden(path, root)]
+    tiles = [path for path in files if path.suffix.lower() in ENDINGS]
+    with_tiles = {path.parent for path in tiles}
+    others = [path for path in files if path.suffix.lower() in OTHER_ENDINGS and path.parent not in with_tiles]
+    # one that stands beside or above tiles is their index, perhaps of before they were moved
+    indexed = {folder for path in (*tiles, *others) for folder in path.parents}
+    virtual = [path for path in files if path.suffix.lower() == VIRTUAL and path.parent not in indexed]
+    return sorted({*tiles, *others, *expanded(virtual)})
 
 
 def group_epochs(tiles: Sequence[FoundTile]) -> list[FoundEpoch]:
@@ -136,16 +151,22 @@ def share_in_common(a: tuple[float, float, float, float], b: tuple[float, float,
     return max(width, 0.0) * max(depth, 0.0) / smaller if smaller > 0 else 0.0
 
 
-def _clouds_in(root: Path) -> list[Path]:
-    """Point clouds in a folder and below, sorted."""
-    files = [path for path in sorted(root.rglob("*")) if path.is_file() and not _hidden(path, root)]
-    tiles = [path for path in files if path.suffix.lower() in ENDINGS]
-    with_tiles = {path.parent for path in tiles}
-    others = [path for path in files if path.suffix.lower() in OTHER_ENDINGS and path.parent not in with_tiles]
-    # one that stands beside or above tiles is their index, perhaps of before they were moved
-    indexed = {folder for path in (*tiles, *others) for folder in path.parents}
-    virtual = [path for path in files if path.suffix.lower() == VIRTUAL and path.parent not in indexed]
-    return sorted({*tiles, *others, *expanded(virtual)})
+def _some_clouds(root: Path) -> list[Path]:
+    found = clouds_in(root)
+    if not found:
+        raise InputError("holds no point cloud (LAS, LAZ, COPC, E57, PLY)", source=root, remedy=_what_else(root))
+    return found
+
+
+def given_tiles(places: Iterable[Path]) -> list[Path]:
+    """Tiles of folders, files and virtual point clouds, each once.
+
+    Raises
+    ------
+    InputError
+        A folder holds none, or a virtual point cloud leads nowhere.
+    """
+    return expanded(tile for place in places for tile in (_some_clouds(place) if place.is_dir() else [place]))
 
 
 def _hidden(path: Path, root: Path) -> bool:

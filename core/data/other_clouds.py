@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import subprocess  # nosec B404 - a reader is started with fixed arguments
 import sys
 import time
@@ -106,7 +107,8 @@ def _tidy(folder: Path) -> None:
 
 
 def _damaged(path: Path, error: BaseException) -> InputError:
-    reason = " ".join(str(error).split())[:120]
+    # libE57 adds the names of its errors, and where in its source they came up
+    reason = re.split(r"\s*(?:\(Error|\*\*\*)", " ".join(str(error).split()))[0][:120]
     return InputError(f"cannot be read as {path.suffix[1:].upper()} ({reason})", source=path, remedy="Export it again, or as LAZ.")
 
 

@@ -79,6 +79,8 @@ def draft_survey(folders: Sequence[Path], given: Given, feedback: Feedback, *, s
     """
     if given.crs is not None:
         check_survey_crs(given.crs, where="--crs")
+    if not folders:
+        raise InputError("no folder is given", remedy="Give the folder that holds your tiles.")
     found = find_tiles(folders, feedback.part(0, 0.1).progress)
     epochs = group_epochs(found)
     for epoch in epochs:

@@ -173,6 +173,25 @@ def test_a_survey_among_tiles_is_refused(tmp_path: Path) -> None:
     assert "Give the survey file alone" in result.stderr
 
 
+def test_no_folder_is_said(tmp_path: Path) -> None:
+    result = CliRunner().invoke(app, ["init"])
+    assert result.exit_code == 2
+    assert "no folder is given" in result.stderr
+
+
+def test_folders_and_patterns_can_be_inspected(tmp_path: Path) -> None:
+    for name in ("a.laz", "b.LAZ"):
+        write_las(tmp_path / name, grid_points())
+    for given in (str(tmp_path), str(tmp_path / "*.laz"), f'"{tmp_path / "a.laz"}" "{tmp_path / "b.LAZ"}"'):
+        result = CliRunner().invoke(app, ["inspect", given])
+        assert result.exit_code == 0, result.output
+        assert "tiles 2, points 800" in result.output
+    (tmp_path / "empty").mkdir()
+    result = CliRunner().invoke(app, ["inspect", str(tmp_path / "empty")])
+    assert result.exit_code == 2
+    assert "holds no point cloud" in result.stderr
+
+
 @pytest.mark.slow
 def test_a_folder_runs_without_asking(tmp_path: Path) -> None:
     output = tmp_path / "result.gpkg"
