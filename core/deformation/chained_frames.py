@@ -11,7 +11,9 @@ and an epoch without targets of its own stands in the frame of one that has some
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -46,7 +48,11 @@ def chained_errors(frames: EpochFrames, data: Sequence[ElasticDatum | None]) -> 
         before[k] = _passed_on(alone[k - 1].informed(*before[k - 1]), data[k - 1], 1.0)
     for k in range(len(alone) - 2, -1, -1):
         after[k] = _passed_on(alone[k + 1].informed(*after[k + 1]), data[k], -1.0)
-    return tuple(own.informed(a[0] + b[0], a[1] + b[1]) for own, a, b in zip(alone, before, after, strict=True))
+    together = [own.informed(a[0] + b[0], a[1] + b[1]) for own, a, b in zip(alone, before, after, strict=True)]
+    # the size of the errors was learned from the differences of epochs; what all have in common is another draw of it, whose variance is
+    # that of t with as many degrees of freedom as the structure shows correlation lengths
+    unseen = 1 + 2 / frames.lengths if math.isinf(frames.degrees) else 1.0
+    return tuple(replace(field, covariance=field.covariance * unseen) for field in together)
 
 
 def _prior(frames: EpochFrames) -> FieldEstimate:

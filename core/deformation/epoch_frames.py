@@ -118,6 +118,8 @@ class EpochFrames:
         units have shown how far off targets leave the frames.
     size
         Factor of the variance of ``errors``, held in their covariances already.
+    lengths
+        Correlation lengths that the structure is long, at least ``FEWEST_DEGREES``.
     """
 
     model: FieldModel
@@ -129,6 +131,7 @@ class EpochFrames:
     bendings: tuple[Bending | None, ...]
     degrees: float
     size: float
+    lengths: float
 
     def jumped(self, first: int, second: int, places: FloatArray) -> BoolArray:
         """(k,) which of (k, 3) places lie on a stretch that moved as one in some pair between two epochs."""
@@ -193,7 +196,7 @@ def estimate_frames(
     changes = _changes_unlike_the_ground(pairs, targets, bendings, basis, noise, height)
     basis = basis.scaled_by(bend)
     precision = basis.precision()
-    degrees = max(float(np.ptp(model.scaled(places)[:, 0])), FEWEST_DEGREES)
+    degrees = lengths = max(float(np.ptp(model.scaled(places)[:, 0])), FEWEST_DEGREES)
     errors: list[FieldEstimate | None] = []
     verdicts: list[TargetVerdicts | None] = []
     for own, change in zip(targets, changes, strict=True):
@@ -222,6 +225,7 @@ def estimate_frames(
         bendings=bendings,
         degrees=degrees,
         size=size,
+        lengths=lengths,
     )
 
 

@@ -1,0 +1,153 @@
+"""Coasts from a seed, surveyed, run and judged: one line a coast, so that two states of the product can be held against each other.
+
+    .venv/bin/python benchmarks/accuracy/coasts.py [--seeds 101 102] [--kinds uav tls_short] [--length 100] [--density 300]
+    .venv/bin/python benchmarks/accuracy/coasts.py --folder SURVEY --result FILE.gpkg
+
+Columns: centres of units in the control frame (RMSE, mm); in both datums RMSE of resting units' displacements (mm), mean squared
+normalised error per coordinate (1 is honest), resting units flagged (%), and moves of 2 cm or more found; resting stretches called
+significant in both datums, of how many; targets excluded in epochs before the last, which are all good, and in the last, where one was
+knocked by twelve times the deviation of a target.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import sqlite3
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from honesty import matched, true_units
+from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.data.survey import read_survey
+from tetratrack.core.pipeline.run_options import RunOptions
+from tetratrack.core.pipeline.whole_survey import run_survey
+from tetratrack.core.simulation.bent_frames import RIGID, FrameErrors
+from tetratrack.core.simulation.survey_plan import plan_of
+from tetratrack.core.simulation.virtual_instruments import Instrument
+from tetratrack.core.simulation.virtual_survey import simulate_survey
+
+SEEN_MOVE = 0.02
+"""Least true motion that counts as found or not, metres."""
+VECTORS = "select unit_id, epoch_from, epoch_to, de, dn, dh, sd_e, sd_n, sd_h, significant from "
+QUERIES = {
+    "stable": VECTORS + "displacements where feature = 'centre' and datum = 'stable'",
+    "control": VECTORS + "displacements_other where feature = 'centre' and datum = 'control'",
+}
+COLUMNS = ("coast", "units", "centres", "stable", "control", "stretches", "targets")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Kind:
+    """What a coast is: instrument, errors of its frames, distance of targets in metres (0 for none), and slide of its middle."""
+
+    instrument: Instrument
+    frame: FrameErrors = RIGID
+    targets_every: float = 24.0
+    slide: float = 0.0
+
+
+KINDS = {
+    "uav": Kind(instrument="uav", frame=FrameErrors(bend=0.03)),
+    "uav_sparse": Kind(instrument="uav", frame=FrameErrors(bend=0.03), targets_every=70.0),
+    "uav_slide": Kind(instrument="uav", frame=FrameErrors(bend=0.03), slide=0.1),
+    "uav_flat": Kind(instrument="uav"),
+    "uav_drift": Kind(instrument="uav", frame=FrameErrors(drift=0.03)),
+    "uav_no_targets": Kind(instrument="uav", frame=FrameErrors(bend=0.03), targets_every=0.0),
+    "tls_flat": Kind(instrument="tls"),
+    "tls_short": Kind(instrument="tls", frame=FrameErrors(bend=0.05, shortest=30.0, longest=60.0)),
+    "bowl": Kind(instrument="photogrammetry", frame=FrameErrors(bowl=0.05)),
+}
+
+
+def line_of(name: str, folder: Path, result: Path) -> str:
+    """Figures of one coast."""
+    names, counts = matched(result, folder)
+    parts = [name, str(counts[0]), f"{centre_rmse(result, folder, names):.1f}"]
+    with sqlite3.connect(result) as connection:
+        parts += [_displacements(connection, datum, folder, names) for datum in QUERIES]
+        parts.append(_stretches(connection))
+        parts.append(_targets(connection))
+    return " | ".join(parts)
+
+
+def centre_rmse(result: Path, folder: Path, names: dict[tuple[str, str], str]) -> float:
+    """Of all units that are right, millimetres."""
+    true = {(name, epoch): centre for epoch, own in true_units(folder)[0].items() for name, centre in own}
+    with sqlite3.connect(result) as connection:
+        rows = connection.execute("select unit_id, epoch, geom from feature_points where feature = 'centre'").fetchall()
+    away = [np.frombuffer(blob[-24:], dtype="<f8") - true[names[u, e], e] for u, e, blob in rows if (u, e) in names]
+    return 1000 * float(np.sqrt(np.mean(np.sum(np.square(away), axis=1))))
+
+
+def _displacements(connection: sqlite3.Connection, datum: str, folder: Path, names: dict[tuple[str, str], str]) -> str:
+    truth = {
+        (row["unit_id"], row["epoch_from"], row["epoch_to"]): (np.array([float(row[k]) for k in ("de", "dn", "dh")]), int(row["moved"]))
+        for row in csv.DictReader((folder / "truth/displacements.csv").open())
+    }
+    lengths, squares, false, found = [], [], [], []
+    for unit, first, second, *values in connection.execute(QUERIES[datum]):
+        name = names.get((unit, first))
+        if name is None or name != names.get((unit, second)) or (name, first, second) not in truth:
+            continue
+        vector, moved = truth[name, first, second]
+        error = np.array(values[:3]) - vector
+        if not moved:
+            lengths.append(float(error @ error))
+            squares.append(float(np.mean((error / values[3:6]) ** 2)))
+            false.append(bool(values[6]))
+        elif np.linalg.norm(vector) >= SEEN_MOVE:
+            found.append(bool(values[6]))
+    if not lengths:
+        return "-"
+    return f"{1000 * np.sqrt(np.mean(lengths)):.1f}, {np.mean(squares):.2f}, {100 * np.mean(false):.1f} %, {sum(found)}/{len(found)}"
+
+
+def _stretches(connection: sqlite3.Connection) -> str:
+    parts = []
+    for datum in ("stable", "control"):
+        flags = [row[0] for row in connection.execute("select significant from stretches where datum = ?", (datum,))]
+        parts.append(f"{sum(map(bool, flags))}/{len(flags)}")
+    return ", ".join(parts)
+
+
+def _targets(connection: sqlite3.Connection) -> str:
+    rows = connection.execute("select epoch, outlier from control_residuals").fetchall()
+    if not rows:
+        return "-"
+    last = max(epoch for epoch, _ in rows)
+    return f"{sum(bool(out) for epoch, out in rows if epoch != last)}, {sum(bool(out) for epoch, out in rows if epoch == last)}"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seeds", type=int, nargs="+", default=[101])
+    parser.add_argument("--kinds", nargs="+", choices=sorted(KINDS), default=sorted(KINDS))
+    parser.add_argument("--length", type=float, default=100.0, help="of a coast, metres")
+    parser.add_argument("--units", type=int, default=40, help="of a stretch")
+    parser.add_argument("--density", type=float, default=300.0, help="points per square metre")
+    parser.add_argument("--folder", type=Path, help="judge this survey by --result, without a run")
+    parser.add_argument("--result", type=Path)
+    arguments = parser.parse_args()
+    print("| " + " | ".join(COLUMNS) + " |\n|" + " --- |" * len(COLUMNS))
+    if arguments.folder is not None:
+        print(f"| {line_of(arguments.folder.name, arguments.folder, arguments.result)} |")
+        return
+    with tempfile.TemporaryDirectory() as work:
+        for seed in arguments.seeds:
+            for name in arguments.kinds:
+                kind = KINDS[name]
+                plan = plan_of(
+                    kind.instrument, f"{name}_{seed}", units=arguments.units, seed=seed, density=arguments.density, frame=kind.frame,
+                    length=arguments.length, targets_every=kind.targets_every, slide=kind.slide,
+                )  # fmt: skip
+                folder = simulate_survey(plan, Path(work) / plan.name).parent
+                result = Path(work) / f"{plan.name}.gpkg"
+                run_survey(read_survey(folder / "survey.toml"), result, RunOptions(workers=1), Feedback())
+                print(f"| {line_of(plan.name, folder, result)} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
