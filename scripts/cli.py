@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..core.common.feedback import Feedback
-from .console import Console, execute, prepare_process
+from .console import Console, execute, prepare_process, print_document
 
 if TYPE_CHECKING:
     from ..core.model.unit_types import UnitType
@@ -132,7 +132,7 @@ def init(
         for warning in (*draft.questions, *draft.warnings):
             feedback.warning(warning)
         found = {"questions": len(draft.questions)} | ({"draft": draft_record(draft)} if json_progress else {})
-        beside = folders[0] / "survey.toml" if folders and sys.stdout.isatty() and folders[0].is_dir() else None
+        beside = folders[0] / "survey.toml" if folders and sys.stdout is not None and sys.stdout.isatty() and folders[0].is_dir() else None
         target = output or beside
         if target is None:
             return found if json_progress else {"document": draft_text(draft)}
@@ -818,7 +818,7 @@ def template() -> None:
     """Print a survey.toml to fill in."""
     from ..core.data.survey_keys import template as text
 
-    typer.echo(text(), nl=False)
+    raise typer.Exit(print_document(text()))
 
 
 def _pair(epoch_from: str | None, epoch_to: str | None) -> EpochPair | None:

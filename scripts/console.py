@@ -94,7 +94,7 @@ class Console:
         document = outputs.pop("document", None)
         if document is not None:
             # nothing else on standard output, so that it can be sent into a file
-            sys.stdout.write(document)
+            self._print(document, end="")
             return
         table = outputs.pop("table", None)
         if table and not self.quiet:
@@ -106,9 +106,11 @@ class Console:
     def error(self, message: str, remedy: str = "", *, passing: bool = False) -> None:
         """State in one sentence why the run ends; ``passing``: the same input may succeed another time."""
         if self.json_progress:
-            self._json(event="error", message=message, remedy=remedy, passing=passing)
+            # nobody may be there any more to hear it
+            with suppress(OutputError):
+                self._json(event="error", message=message, remedy=remedy, passing=passing)
         else:
-            self._print(f"error: {message}", sys.stderr)
+            self._print(f"error: {message}", errors=True)
         self._write_log(f"error {message}")
 
     @contextmanager
@@ -132,14 +134,15 @@ class Console:
                     f"cannot be written ({error.strerror})", source=self.log_file, remedy="Give --log-file another place."
                 ) from error
         try:
-            if not self.quiet and not self.json_progress and sys.stderr.isatty():
+            if not self.quiet and not self.json_progress and sys.stderr is not None and sys.stderr.isatty():
                 with self._rich_bar():
                     yield
             else:
                 yield
         finally:
             if self._log is not None:
-                self._log.close()
+                with suppress(OSError):
+                    self._log.close()
                 self._log = None
 
     @contextmanager
@@ -167,20 +170,36 @@ class Console:
         if self._bar is not None:
             self._bar.console.print(text, markup=False, highlight=False)
         else:
-            self._print(text, sys.stderr)
+            self._print(text, errors=True)
         self._write_log(text)
 
     def _json(self, **event: Any) -> None:
-        unicode = (sys.stdout.encoding or "").lower().replace("-", "") == "utf8"
+        unicode = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "") == "utf8"
         self._print(json.dumps(event, ensure_ascii=not unicode))
 
     @staticmethod
-    def _print(text: str, stream: TextIO | None = None) -> None:
-        """Print a line; letters that the stream's code page lacks, and signs that would steer a terminal, are written as their numbers."""
-        target = sys.stdout if stream is None else stream
+    def _print(text: str, *, errors: bool = False, end: str = "\n") -> None:
+        """Print a line; letters that the stream's code page lacks, and signs that would steer a terminal, are written as their numbers.
+
+        Raises
+        ------
+        OutputError
+            Standard output goes to a full disk, or to nobody any more. Messages alone end nothing.
+        """
+        target: TextIO | None = sys.stderr if errors else sys.stdout
+        if target is None:
+            # closed by who started the command
+            return
         encoding = target.encoding or "utf-8"
         text = _STEERING.sub(lambda sign: f"\\x{ord(sign[0]):02x}", text)
-        print(text.encode(encoding, "backslashreplace").decode(encoding), file=target, flush=True)
+        try:
+            print(text.encode(encoding, "backslashreplace").decode(encoding), file=target, end=end, flush=True)
+        except OSError as error:
+            _give_up(target)
+            if not errors:
+                raise OutputError(
+                    f"cannot be written ({error.strerror or error})", source="standard output", remedy="Send it to another place."
+                ) from error
 
     def _write_log(self, text: str) -> None:
         if self._log is None:
@@ -189,6 +208,25 @@ class Console:
         with suppress(OSError):
             self._log.write(f"{datetime.now(UTC).isoformat(timespec='seconds')} {text}\n")
             self._log.flush()
+
+
+def _give_up(stream: TextIO) -> None:
+    """Let what is still to be written to a stream go nowhere, so that the interpreter does not fail on it when it ends."""
+    with suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
+
+
+def print_document(text: str) -> int:
+    """Print a text by itself and return the exit code."""
+    console = Console()
+    try:
+        console.result({"document": text})
+    except OutputError as error:
+        console.error(str(error), error.remedy)
+        return BAD_INPUT
+    return DONE
 
 
 def prepare_process() -> None:

@@ -165,9 +165,8 @@ class Survey:
         for epoch in self.epochs:
             if epoch.label == label:
                 return epoch
-        raise InputError(
-            f"has no epoch {label!r}", source=self.path, remedy=f"Epochs are: {', '.join(epoch.label for epoch in self.epochs)}."
-        )
+        labels = ", ".join(epoch.label for epoch in self.epochs)
+        raise InputError(f"has no epoch {label!r}", source=self.path, remedy=f"Epochs are: {labels}.")
 
 
 BACKSLASHES = "In double quotes a backslash begins a special sign: write / instead of \\, or put the path in single quotes."

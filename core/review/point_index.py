@@ -283,7 +283,7 @@ def write_index(
         _put(work, folder)
     except OSError as error:
         raise OutputError(
-            f"cannot be written ({error.strerror})", source=folder, remedy="Free disk space or choose another folder."
+            f"cannot be written ({error.strerror or error})", source=folder, remedy="Free disk space or choose another folder."
         ) from error
     finally:
         shutil.rmtree(work, ignore_errors=True)
