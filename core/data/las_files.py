@@ -30,8 +30,11 @@ HEADER_LENGTHS = (227, 227, 227, 235, 375)
 """Least header length in bytes of LAS 1.0 to 1.4."""
 MOST_RECORD_BYTES = 4_000_000
 """Largest record that is read for what it says; CRS definitions have some kilobytes."""
-POINTWISE = 1
-"""Compressor of LASzip 1.x, without chunks (LASzip's laszip.hpp)."""
+POINTWISE, LAYERED = 1, 3
+"""Compressors of LASzip 1.x, without chunks, and of LASzip 3, with chunks in layers (LASzip's laszip.hpp)."""
+EXTRA_BYTES = 14
+LAYERS_OF = {10: 9, 11: 1, 12: 2, 13: 1}
+"""Layers of a chunk by type of item: point, colour, colour with infrared, waveform; extra bytes have one each (laszip.hpp)."""
 
 REMEDY_DAMAGED = "Copy the file again from its source, or check it with lasinfo."
 
@@ -267,6 +270,28 @@ def _check_compression(stream: BinaryIO, path: Path, records: tuple[LasRecord, .
     version, chunks = struct.unpack("<II", stream.read(8))
     if version != 0 or chunks > count or chunks > size:
         raise InputError("is damaged: the table of its compressed chunks makes no sense", source=path, remedy=REMEDY_DAMAGED)
+    if laszip is not None:
+        _check_layers(stream, path, laszip, data_offset + 8, table)
+
+
+def _check_layers(stream: BinaryIO, path: Path, laszip: LasRecord, start: int, table: int) -> None:
+    """Refuse a chunk in layers (LASzip 3) that claims more bytes than the file has: a decoder makes room for them before it looks.
+
+    Each chunk is its first point as it stands, the number of its points, the sizes of all layers, and these one after another.
+    """
+    stream.seek(laszip.offset)
+    content = stream.read(min(laszip.length, 34 + 6 * 64))
+    if len(content) < 34 or struct.unpack_from("<H", content)[0] != LAYERED:
+        return
+    items = [struct.unpack_from("<HH", content, at) for at in range(34, len(content) - 5, 6)]
+    layers = sum(size if kind == EXTRA_BYTES else LAYERS_OF.get(kind, 0) for kind, size in items)
+    fixed = sum(size for _, size in items) + 4
+    at = start
+    while at + fixed + 4 * layers <= table:
+        stream.seek(at + fixed)
+        at += fixed + 4 * layers + sum(struct.unpack(f"<{layers}I", stream.read(4 * layers)))
+        if at > table:
+            raise InputError("is damaged: a compressed chunk claims more bytes than there are", source=path, remedy=REMEDY_DAMAGED)
 
 
 class _Patched(io.RawIOBase):

@@ -159,6 +159,17 @@ def test_compression_by_points_is_named(tmp_path: Path) -> None:
         inspect_tile(path, CRS)
 
 
+@pytest.mark.parametrize("point_format", [6, 7, 8])
+def test_a_chunk_that_claims_gigabytes_is_refused_before_room_is_made(tmp_path: Path, point_format: int) -> None:
+    path = write_las(tmp_path / "a.laz", grid_points(120_000), point_format=point_format)
+    assert inspect_tile(path, CRS).used == 120_000
+    (start, length) = struct.unpack_from("<I4xxH", path.read_bytes(), 96)
+    # behind the first point and the number of points, the size of the second layer
+    patched(path, {start + 8 + length + 4 + 4: struct.pack("<I", 0xF0000000)})
+    with pytest.raises(InputError, match="a compressed chunk claims more bytes than there are"):
+        inspect_tile(path, CRS)
+
+
 def test_geotiff_keys_are_read_whole(tmp_path: Path) -> None:
     plain = {1024: 1, 3072: 32650}
     assert inspect_tile(write_keys(tmp_path / "plain.las", plain), CRS).crs == CRS
