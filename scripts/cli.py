@@ -122,9 +122,13 @@ def init(
         from ..core.data.file_patterns import given_paths
         from ..core.data.survey_draft import draft_record, draft_text
         from ..core.pipeline.given_epochs import read_given_epochs
-        from ..core.pipeline.new_survey import Given, draft_of_rows, draft_survey, write_draft
+        from ..core.pipeline.new_survey import Given, check_draft, draft_of_rows, draft_survey, write_draft
 
         given, folders = Given(height=unit_height, crs=crs, name=name), given_paths(given_folders or [])
+        beside = folders[0] / "survey.toml" if folders and sys.stdout is not None and sys.stdout.isatty() and folders[0].is_dir() else None
+        target = output or beside
+        if target is not None:
+            check_draft(target)
         if epochs is not None:
             draft = draft_of_rows(read_given_epochs(epochs), given, feedback, size=size)
         else:
@@ -132,8 +136,6 @@ def init(
         for warning in (*draft.questions, *draft.warnings):
             feedback.warning(warning)
         found = {"questions": len(draft.questions)} | ({"draft": draft_record(draft)} if json_progress else {})
-        beside = folders[0] / "survey.toml" if folders and sys.stdout is not None and sys.stdout.isatty() and folders[0].is_dir() else None
-        target = output or beside
         if target is None:
             return found if json_progress else {"document": draft_text(draft)}
         feedback.info(draft_text(draft, target.absolute().parent))

@@ -23,6 +23,7 @@ from ..data.survey import Ring, Survey, read_survey
 from ..data.survey_draft import FIRST_LINE, DraftEpoch, DraftUnit, SurveyDraft, draft_text
 from ..data.tiles import TileInfo, inspect_tile
 from ..model.unit_types import catalogue
+from ..results.geopackage_writer import check_output
 from ..segmentation.unit_size import FoundSize, estimate_everywhere
 from .cloud_sample import sample_points
 from .no_units import why_no_units
@@ -416,6 +417,20 @@ def write_draft(draft: SurveyDraft, path: Path) -> None:
     OutputError
         The file is somebody's own, or cannot be written.
     """
+    check_draft(path)
+    with temporary_beside(path) as temporary:
+        temporary.write_text(draft_text(draft, path.absolute().parent), encoding="utf-8")
+        replace_durably(temporary, path)
+
+
+def check_draft(path: Path) -> None:
+    """Find out before a minute is spent whether a draft can be written.
+
+    Raises
+    ------
+    OutputError
+        As for :func:`write_draft`.
+    """
     if path.is_file():
         with path.open("rb") as stream:
             start = stream.read(len(FIRST_LINE.encode("utf-8")))
@@ -423,9 +438,8 @@ def write_draft(draft: SurveyDraft, path: Path) -> None:
             raise OutputError(
                 "is there already, and not written by tetratrack init", source=path, remedy="Move it away, or give another name."
             )
-    with temporary_beside(path) as temporary:
-        temporary.write_text(draft_text(draft, path.absolute().parent), encoding="utf-8")
-        replace_durably(temporary, path)
+    with temporary_beside(path):
+        pass
 
 
 def given_survey(places: Sequence[Path], given: Given, output: Path, feedback: Feedback) -> Survey:
@@ -436,6 +450,7 @@ def given_survey(places: Sequence[Path], given: Given, output: Path, feedback: F
     InputError
         The file is wrong, or the tiles leave something open.
     """
+    check_output(output)
     first = places[0]
     if len(places) > 1 or first.is_dir() or first.suffix.lower() in CLOUDS:
         return survey_of_tiles(places, given, output.with_suffix(".toml"), feedback.part(0, 0.05))
@@ -459,6 +474,7 @@ def survey_of_tiles(places: Sequence[Path], given: Given, target: Path, feedback
     stated = next((place for place in places if place.suffix.lower() == ".toml"), None)
     if stated is not None:
         raise InputError("is a survey among other inputs", source=stated, remedy="Give the survey file alone, or tiles and folders.")
+    check_draft(target)
     draft = draft_survey(places, given, feedback)
     need_no_asking(draft, places[0])
     for warning in draft.warnings:

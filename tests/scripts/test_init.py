@@ -173,6 +173,16 @@ def test_a_survey_among_tiles_is_refused(tmp_path: Path) -> None:
     assert "Give the survey file alone" in result.stderr
 
 
+def test_where_nothing_can_be_written_is_said_before_the_tiles_are_looked_at(tmp_path: Path) -> None:
+    (tmp_path / "own.toml").write_text("# mine\n")
+    for output, said in ((tmp_path / "gone" / "result.gpkg", "its folder does not exist"), (tmp_path / "own.gpkg", "is there already")):
+        result = CliRunner().invoke(app, ["run", str(TINY / "tiles"), "--output", str(output)])
+        assert result.exit_code == 2
+        assert said in result.stderr
+        assert "epoch 2024-04-09" not in result.stderr
+    assert (tmp_path / "own.toml").read_text() == "# mine\n"
+
+
 def test_no_folder_is_said(tmp_path: Path) -> None:
     result = CliRunner().invoke(app, ["init"])
     assert result.exit_code == 2
