@@ -3,8 +3,9 @@
     .venv/bin/tetratrack simulate …            # write some surveys with truth, of several kinds and seeds, rock without units too
     .venv/bin/python benchmarks/accuracy/score_calibration.py --fit SURVEY… --check SURVEY…
 
-Prints the weights to put into ``core/segmentation.py`` and, for both sets, how often poses of a stated score are right. Units with
-less than 5 % of their surface seen, and poses whose twist no leg determines, count neither way.
+Prints the weights to put into ``core/segmentation/pose_score.py`` and, for both sets, how often poses of a stated score are right. Units
+with less than 5 % of their surface seen, and poses whose twist no leg determines, count neither way. Sparse and noisy clouds have weights
+of their own, fitted to thinned and noised copies (``poor_copies.py``) of surveys and of rock.
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ import numpy as np
 from scipy.optimize import minimize
 from scipy.spatial.transform import Rotation
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.segment import judge_poses, score_features
+from tetratrack.core.segmentation.pose_score import score_features
+from tetratrack.core.segmentation.segment import judge_poses
 
 RIGHT_CENTRE, RIGHT_ANGLE = 0.2, np.radians(15)
 """A pose is right within this share of the height and this angle, of the nearest truth; registration errors are far below both."""
@@ -114,10 +116,11 @@ def gathered(folders: list[Path]) -> tuple[np.ndarray, np.ndarray]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--fit", nargs="+", type=Path, required=True, metavar="SURVEY", help="folders to fit the weights to")
+    parser.add_argument("--wrong", type=float, default=2.0, metavar="WEIGHT", help="of a wrong pose against a right one; 1 in poor clouds")
     parser.add_argument("--check", nargs="*", type=Path, default=[], metavar="SURVEY", help="folders to check them on")
     arguments = parser.parse_args()
     features, right = gathered(arguments.fit)
-    model = fit(features, right)
+    model = fit(features, right, wrong_weight=arguments.wrong)
     print("SCORE_WEIGHTS =", tuple(round(float(w), 2) for w in model[1:]), " SCORE_INTERCEPT =", round(float(model[0]), 2))
     report("fitted", model, features, right)
     if arguments.check:

@@ -101,7 +101,7 @@ def poses_from_single_legs(legs: Legs, scene: Scene, active: BoolArray, *, twist
 
 
 @kernel()
-def _twist_support(local: Any, turned: Any, shift: float, radius: float, gradient: float, length: float, tolerance: float) -> float:
+def twist_support(local: Any, turned: Any, shift: float, radius: float, gradient: float, length: float, tolerance: float) -> float:
     """Elements on the surface less those inside the solid; ``local`` (3, m) about a leg, ``turned`` (4, 3) the legs in that frame."""
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
     edge = radius - gradient * length
@@ -162,7 +162,7 @@ def _twist_search(starts: Any, points: Any, active: Any, grid: Any, shape: Any, 
                 turned[k, 0], turned[k, 1], turned[k, 2] = ca * legs[k, 0] - sa * legs[k, 1], sa * legs[k, 0] + ca * legs[k, 1], legs[k, 2]
             for k in range(-steps, steps + 1):
                 shift = k * reaches[i] / steps
-                total = _twist_support(local, turned, shift, radius, gradient, length, tolerance)
+                total = twist_support(local, turned, shift, radius, gradient, length, tolerance)
                 if total > of_twist[t]:
                     of_twist[t], shift_of_twist[t] = total, shift
                 far = 1.0

@@ -38,6 +38,8 @@ class Scene:
         Standard deviation of a raw point across the surface, metres: tells how far tips and fillets can be seen at all.
     normal_radius
         Radius of the neighbourhoods of the normals, metres: near a crease they are of both legs.
+    spacing
+        Median distance of a raw point to its nearest neighbour, metres.
     """
 
     points: FloatArray
@@ -48,6 +50,7 @@ class Scene:
     tolerance: float
     noise: float
     normal_radius: float = 0.0
+    spacing: float = 0.0
 
     @classmethod
     def of(cls, elements: SurfaceElements, unit: UnitType, tolerance: float) -> Scene:
@@ -61,6 +64,7 @@ class Scene:
             tolerance=tolerance,
             noise=elements.noise,
             normal_radius=elements.normal_radius,
+            spacing=elements.spacing,
         )
 
 

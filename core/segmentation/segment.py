@@ -15,10 +15,12 @@ from .assembly import poses_from_pairs, poses_from_single_legs
 from .conic_ransac import find_legs
 from .pose_evidence import NUMBER_OF_CELLS, evidence
 from .pose_refinement import refine
+from .pose_score import TypicalUnit, is_sparse, score, typical_unit
 from .scene import COLUMNS, Evidence, Scene
 from .surface_elements import SurfaceElements, surface_elements
 from .twist import settle_twists
 from .verification import distinct, overlap, select
+from .whole_unit_search import poses_about_elements
 
 Status = Literal["found", "uncertain"]
 
@@ -37,15 +39,8 @@ what is of other surfaces."""
 LISTED_EVIDENCE, LISTED_SCORE = 0.2, 0.05
 """Poses of less evidence are chance alignments of rock, wall and water; where the evidence is good but the twist about a leg is open, the
 score may be lower still. What is below either is not reported at all."""
-SCORE_WEIGHTS = (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)
-SCORE_INTERCEPT = -4.48
 WORTH_ANOTHER_PASS = 0.3
 """Score a pass must reach with at least one unit for the remaining points to be searched again."""
-FEW_ELEMENTS = 40
-"""Fewer supporting elements than this make a pose less likely, whatever share of those around it they are."""
-FINE_TOLERANCE = 0.02
-"""Tolerance, as a share of the height, up to which that holds: in proportion to a wider one more elements come to lie on a surface by
-chance, so that in sparse clouds of much noise rock looks like units."""
 CHANCE_SCORE = 0.2
 """Poses of a lower score lose their points to a last look for units."""
 MOST_INTERPENETRATION = 0.01
@@ -84,25 +79,6 @@ class DetectedUnit:
     misfit: float
     interpenetration: float
     supported: float
-
-
-@dataclass(frozen=True)
-class TypicalUnit:
-    """What fitting real surfaces leaves in a cloud.
-
-    Attributes
-    ----------
-    misfit
-        Median misfit, metres.
-    agreement
-        Median share of the elements on the surface whose normal agrees.
-    fewest
-        Supporting elements below which a pose is less likely.
-    """
-
-    misfit: float
-    agreement: float
-    fewest: float = FEW_ELEMENTS
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -183,15 +159,19 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     scene, poses = _searched(scene, seed)
     poses, found, owner = _settled(elements, poses, scene, rounds=1)
     # chance alignments claim points of units: a last look without them
-    unlikely = score(found, scene.tolerance, _typical_unit(found, scene)) < CHANCE_SCORE
+    unlikely = score(found, scene.tolerance, typical_unit(found, scene)) < CHANCE_SCORE
     active = ~np.isin(owner, np.flatnonzero(~unlikely))
     candidates = _candidates(scene, active, seed + PASSES, twists=5)
+    if is_sparse(scene):
+        sure = score(found, scene.tolerance, typical_unit(found, scene)) >= FOUND_SCORE
+        about = refine(poses_about_elements(scene, active, poses[sure]), scene, active, most=250, sweeps=8)
+        candidates = np.vstack([candidates, about])
     chance = int(unlikely.sum())
     known = distinct(np.vstack([poses[unlikely], candidates]), unit)
     candidates = candidates[known[known >= chance] - chance]
     chosen = select(candidates, scene, active, poses[~unlikely])
     poses, found, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), scene, rounds=2)
-    typical = _typical_unit(found, scene)
+    typical = typical_unit(found, scene)
     sure = score(found, scene.tolerance, typical) >= FOUND_SCORE
     poses, certainty = settle_twists(poses, found, sure, scene, owner)
     return JudgedPoses(elements=elements, poses=poses, evidence=found, certainty=certainty, tolerance=scene.tolerance, typical=typical)
@@ -201,13 +181,13 @@ def _searched(scene: Scene, seed: int) -> tuple[Scene, FloatArray]:
     """Poses (k, 12) that one pass after the other accepts, and the scene with the tolerance that the strongest units tell."""
     active = np.ones(len(scene.points), dtype=np.bool_)
     poses = np.zeros((0, 12))
-    typical = _typical_unit(Evidence.joined([]), scene)
+    typical = typical_unit(Evidence.joined([]), scene)
     for turn in range(PASSES):
         candidates = _candidates(scene, active, seed + turn, twists=2 if turn > 0 else 0)
         chosen = select(candidates, scene, active, poses)
         poses = np.vstack([poses, chosen.poses])
         if turn == 0:
-            typical = _typical_unit(chosen.evidence, scene)
+            typical = typical_unit(chosen.evidence, scene)
             if len(chosen.poses) >= 3:
                 # the misfit of real surfaces, which roughness and strip offsets make larger than the noise
                 tolerance = float(np.clip(2.5 * typical.misfit, scene.tolerance, 1.3 * scene.tolerance))
@@ -273,63 +253,3 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
 def clearance(noise: float, height: float) -> float:
     """Distance in metres of another unit's surface within which points are left out, from the noise of a point and the unit's height."""
     return min(CLEARANCE_IN_NOISE * noise, MOST_CLEARANCE * height)
-
-
-def _typical_unit(found: Evidence, scene: Scene) -> TypicalUnit:
-    """What the poses that are surely units have in common.
-
-    Where rock abounds most poses are none. Units are the poses whose elements' normals agree nearly as often as those of the best
-    supported poses do.
-    """
-    fewest = FEW_ELEMENTS * max(1.0, scene.tolerance / (FINE_TOLERANCE * scene.unit.height))
-    if not len(found):
-        return TypicalUnit(0.0, 1.0, fewest)
-    agreeing = found.support / np.maximum(found.close, 1.0)
-    agreement = float(np.median(agreeing[found.support >= 0.5 * found.support.max()]))
-    return TypicalUnit(float(np.median(found.misfit[agreeing >= 0.9 * agreement])), agreement, fewest)
-
-
-def score(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
-    """(k,) probability, 0 to 1, that the evidence is that of a real unit in its true pose: a logistic model of its features.
-
-    The weights were fitted to simulated piles, rock and laboratory scenes (``benchmarks/accuracy/score_calibration.py``), never to a real
-    survey. What no unit of those shows speaks against a pose beyond that.
-    """
-    linear = np.array([np.dot(SCORE_WEIGHTS, row) for row in score_features(found, tolerance, typical)])
-    log_odds = SCORE_INTERCEPT + linear - _unlikeness(found, tolerance, typical)
-    return np.where(found.close < 1, 0.0, 1 / (1 + np.exp(-log_odds)))
-
-
-def _unlikeness(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
-    """(k,) log-odds against a pose that is in one way unlike all units, however good the rest looks; 0 for most."""
-    close = np.maximum(found.close, 1.0)
-    # points scattered evenly over the window have a misfit of 1.15 tolerances, units hardly ever more than a half
-    scattered = 20 * np.maximum(0.0, found.misfit / tolerance - 0.5)
-    # few elements align by chance
-    few = 4 * np.maximum(0.0, 1 - found.support / typical.fewest)
-    # what is odd in few elements is telling in many
-    odd = 20 * np.maximum(0.0, 1 - 3 / np.sqrt(close) - found.support / close / max(typical.agreement, 1e-12))
-    return np.asarray(scattered + few + odd)
-
-
-def score_features(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
-    """(k, 6) what the score is made of.
-
-    Log-odds that an element near the surface lies on it and that its normal agrees, both the more telling the more surface cells
-    they come from; elements inside the solid; misfit against what is typical of this cloud and against the tolerance; extent.
-    """
-    close = found.close
-    # two per cent of disagreement is always allowed for, so that the odds stay finite
-    on_surface = np.log((close + 1) / (found.reached - close + 1 + 0.02 * close))
-    agreeing = np.log((found.support + 1) / (close - found.support + 1 + 0.02 * close))
-    extent = np.log1p(found.cells)
-    return np.column_stack(
-        [
-            extent * on_surface,
-            extent * agreeing,
-            np.log1p(found.inside / (0.01 * close + 1)),
-            np.minimum(found.misfit / max(typical.misfit, 1e-12), 4.0),
-            found.misfit / tolerance,
-            extent,
-        ]
-    )

@@ -18,8 +18,9 @@ from tetratrack.core.segmentation.assembly import poses_from_pairs
 from tetratrack.core.segmentation.conic_ransac import find_legs
 from tetratrack.core.segmentation.pose_evidence import evidence
 from tetratrack.core.segmentation.pose_refinement import refine
+from tetratrack.core.segmentation.pose_score import TypicalUnit, score
 from tetratrack.core.segmentation.scene import Evidence, Scene
-from tetratrack.core.segmentation.segment import FOUND_SCORE, TypicalUnit, score, segment
+from tetratrack.core.segmentation.segment import FOUND_SCORE, segment
 from tetratrack.core.segmentation.surface_elements import surface_elements
 from tetratrack.core.segmentation.verification import overlap
 from tetratrack.core.simulation.sampled_unit import interlocked_rows

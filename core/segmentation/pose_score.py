@@ -1,0 +1,132 @@
+"""How sure a pose is that of a unit: the evidence for it, held against what units and chance show in clouds as rich as this one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..common.arrays import FloatArray
+from .pose_evidence import QUIET_RATIO
+from .scene import Evidence, Scene
+
+FEW_ELEMENTS = 40
+"""Fewer supporting elements than this make a pose less likely, whatever share of those around it they are."""
+FINE_TOLERANCE = 0.02
+"""Tolerance, as a share of the height, up to which that holds: in proportion to a wider one more elements come to lie on a surface by
+chance, so that in sparse clouds of much noise rock looks like units."""
+NOISY_RATIO = 0.05
+"""Tolerance, as a share of the height, above which the noise decides what can be seen."""
+SPARSE_RATIO = 0.02
+"""Spacing of points, as a share of the height, above which a cloud is sparse: legs show as legs no longer, and normals blur."""
+
+
+class ScoreModel(NamedTuple):
+    """Logistic model of the score: weights of :func:`score_features`, and whether what no unit shows speaks against a pose beyond them."""
+
+    intercept: float
+    weights: tuple[float, ...]
+    doubts: bool
+
+
+RICH = ScoreModel(-4.48, (1.08, 1.67, -1.22, -1.62, -1.71, -1.41), True)
+SPARSE = ScoreModel(5.16, (0.60, 0.06, -3.11, 0.85, -19.6, 0.12), False)
+NOISY = ScoreModel(0.73, (0.06, 0.99, -2.36, -0.30, -25.7, 2.24), False)
+"""In sparse clouds normals say little, and how closely the elements lie to the surface nearly all; in noisy ones both, and the extent."""
+
+
+@dataclass(frozen=True)
+class TypicalUnit:
+    """What fitting real surfaces leaves in a cloud.
+
+    Attributes
+    ----------
+    misfit
+        Median misfit, metres.
+    agreement
+        Median share of the elements on the surface whose normal agrees.
+    fewest
+        Supporting elements below which a pose is less likely.
+    model
+        Of the score, for a cloud of its density.
+    """
+
+    misfit: float
+    agreement: float
+    fewest: float = FEW_ELEMENTS
+    model: ScoreModel = RICH
+
+
+def is_sparse(scene: Scene) -> bool:
+    """Whether the number of points, and not their noise, limits what can be seen."""
+    return scene.spacing > SPARSE_RATIO * scene.unit.height and scene.tolerance <= QUIET_RATIO * scene.unit.height
+
+
+def _model_for(scene: Scene) -> ScoreModel:
+    if is_sparse(scene):
+        return SPARSE
+    return NOISY if scene.tolerance > NOISY_RATIO * scene.unit.height else RICH
+
+
+def typical_unit(found: Evidence, scene: Scene) -> TypicalUnit:
+    """What the poses that are surely units have in common.
+
+    Where rock abounds most poses are none. Units are the poses whose elements' normals agree nearly as often as those of the best
+    supported poses do.
+    """
+    fewest = FEW_ELEMENTS * max(1.0, scene.tolerance / (FINE_TOLERANCE * scene.unit.height))
+    model = _model_for(scene)
+    if not len(found):
+        return TypicalUnit(0.0, 1.0, fewest, model)
+    agreeing = found.support / np.maximum(found.close, 1.0)
+    agreement = float(np.median(agreeing[found.support >= 0.5 * found.support.max()]))
+    return TypicalUnit(float(np.median(found.misfit[agreeing >= 0.9 * agreement])), agreement, fewest, model)
+
+
+def score(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k,) probability, 0 to 1, that the evidence is that of a real unit in its true pose: a logistic model of its features.
+
+    The weights were fitted to simulated piles, rock and laboratory scenes (``benchmarks/accuracy/score_calibration.py``), never to a real
+    survey. What no unit of those shows speaks against a pose beyond that.
+    """
+    model = typical.model
+    log_odds = model.intercept + np.array([np.dot(model.weights, row) for row in score_features(found, tolerance, typical)])
+    if model.doubts:
+        log_odds = log_odds - _unlikeness(found, tolerance, typical)
+    return np.where(found.close < 1, 0.0, 1 / (1 + np.exp(-log_odds)))
+
+
+def _unlikeness(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k,) log-odds against a pose that is in one way unlike all units, however good the rest looks; 0 for most."""
+    close = np.maximum(found.close, 1.0)
+    # points scattered evenly over the window have a misfit of 1.15 tolerances, units hardly ever more than a half
+    scattered = 20 * np.maximum(0.0, found.misfit / tolerance - 0.5)
+    # few elements align by chance
+    few = 4 * np.maximum(0.0, 1 - found.support / typical.fewest)
+    # what is odd in few elements is telling in many
+    odd = 20 * np.maximum(0.0, 1 - 3 / np.sqrt(close) - found.support / close / max(typical.agreement, 1e-12))
+    return np.asarray(scattered + few + odd)
+
+
+def score_features(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k, 6) what the score is made of.
+
+    Log-odds that an element near the surface lies on it and that its normal agrees, both the more telling the more surface cells
+    they come from; elements inside the solid; misfit against what is typical of this cloud and against the tolerance; extent.
+    """
+    close = found.close
+    # two per cent of disagreement is always allowed for, so that the odds stay finite
+    on_surface = np.log((close + 1) / (found.reached - close + 1 + 0.02 * close))
+    agreeing = np.log((found.support + 1) / (close - found.support + 1 + 0.02 * close))
+    extent = np.log1p(found.cells)
+    return np.column_stack(
+        [
+            extent * on_surface,
+            extent * agreeing,
+            np.log1p(found.inside / (0.01 * close + 1)),
+            np.minimum(found.misfit / max(typical.misfit, 1e-12), 4.0),
+            found.misfit / tolerance,
+            extent,
+        ]
+    )

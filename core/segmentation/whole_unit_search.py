@@ -1,0 +1,125 @@
+"""Whole units about single elements, where a cloud is too poor for legs: an element and its normal leave three numbers of a pose open.
+
+On a leg, the normal stands at a known angle to the leg's axis. Open are where along the leg the element lies, the turn of the axis about
+the normal, and the twist of the unit about the axis. All of them are tried, each against the elements around, those inside the solid
+speaking against it (METHOD 11). That a leg shows as a leg is not asked for, as :mod:`.conic_ransac` does: of a unit of which a sixth is
+seen, a sparse cloud holds some tens of elements on parts of two or three legs.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import prange
+from scipy.spatial import cKDTree
+
+from ..common.arrays import BoolArray, FloatArray
+from ..common.kernels import kernel
+from ..common.neighbourhood import gather
+from ..common.voxels import thin
+from .assembly import twist_support
+from .cone_relation import ConeShape
+from .scene import Scene
+
+SEED_RATIO = 0.15
+"""Edge of the voxels, as a share of the height, of which each gives an element to search about."""
+SURROUNDINGS = 1.6
+"""Units lie among units: distance from the centre of one, in heights, up to which others are searched."""
+SHIFTS = (0.4, 0.55, 0.7, 0.85)
+"""Places along the leg, as shares of its length, at which the element is taken to lie: refinement bridges what is between."""
+TURNS, TWISTS = 24, 10
+"""Turns of the axis about the normal, 15 degrees apart, and twists about the axis over a third of a turn: then a unit looks alike."""
+REACH = 1.0
+"""Distance from the element, in heights, within which others are counted."""
+SAMPLE = 160
+"""Elements by which a pose is judged, at most."""
+KEPT = 2
+"""Poses that are kept about an element: the best, and the best whose axis differs."""
+
+
+def poses_about_elements(scene: Scene, active: BoolArray, known: FloatArray) -> FloatArray:
+    """Poses (k, 12) about active elements near ``known`` ones (m, 12), best of all that leave the element on the side of a leg."""
+    where = np.flatnonzero(active & (scene.curved >= 0))
+    if not len(where) or not len(known):
+        return np.zeros((0, 12))
+    height = scene.unit.height
+    where = where[cKDTree(known[:, :3]).query(scene.points[where], distance_upper_bound=SURROUNDINGS * height)[0] < np.inf]
+    if not len(where):
+        return np.zeros((0, 12))
+    _, voxel = thin(scene.points[where], SEED_RATIO * height)
+    seeds = where[np.unique(voxel, return_index=True)[1]]
+    poses = np.asarray(
+        _search(seeds, (scene.points, scene.normals, scene.curved), active, scene.grid, ConeShape.of(scene.unit), scene.tolerance)
+    )
+    return np.asarray(poses[poses[:, 3:].any(axis=1)])
+
+
+@kernel(parallel=True)
+def _search(seeds: Any, elements: Any, active: Any, grid: Any, shape: Any, tolerance: float) -> Any:
+    """Best poses (KEPT * n, 12) about each of n elements; zeros where hardly any element supports one."""
+    points, normals, curved = elements
+    legs, radius, gradient, length, height = shape
+    out = np.zeros((KEPT * len(seeds), 12))
+    slant = 1.0 / np.sqrt(1.0 + gradient * gradient)
+    for i in prange(len(seeds)):
+        seed = seeds[i]
+        place = (points[seed, 0], points[seed, 1], points[seed, 2])
+        near = gather(points, active, place, REACH * height, grid, np.int64(SAMPLE))
+        m = len(near)
+        local, own = np.empty((3, m)), np.empty((3, m))
+        for q in range(m):
+            for a in range(3):
+                own[a, q] = points[near[q], a] - place[a]
+        best = np.full(KEPT, -1e300)
+        turned = np.empty((4, 3))
+        n = np.empty(3)
+        aside = np.zeros(3)
+        # the sign of a normal is known where the surface bends as a leg does
+        for side in range(1 if curved[seed] > 0 else 2):
+            for a in range(3):
+                n[a] = normals[seed, a] if side == 0 else -normals[seed, a]
+                aside[a] = 0.0
+            aside[0 if abs(n[0]) < 0.8 else 1] = 1.0
+            u = np.cross(n, aside)
+            u /= np.sqrt(np.sum(u * u))
+            v = np.cross(n, u)
+            for t in range(TURNS):
+                angle = t * 2.0 * np.pi / TURNS
+                axis = gradient * slant * n + slant * (np.cos(angle) * u + np.sin(angle) * v)
+                radial = (n - gradient * slant * axis) / slant
+                across = np.cross(axis, radial)
+                for share in SHIFTS:
+                    along = share * length
+                    rho = radius - gradient * along
+                    for q in range(m):
+                        x, y, z = own[0, q], own[1, q], own[2, q]
+                        local[0, q] = x * radial[0] + y * radial[1] + z * radial[2] + rho
+                        local[1, q] = x * across[0] + y * across[1] + z * across[2]
+                        local[2, q] = x * axis[0] + y * axis[1] + z * axis[2] + along
+                    for w in range(TWISTS):
+                        twist = w * (2.0 * np.pi / 3.0) / TWISTS
+                        c, s = np.cos(twist), np.sin(twist)
+                        for k in range(4):
+                            turned[k, 0] = c * legs[k, 0] - s * legs[k, 1]
+                            turned[k, 1] = s * legs[k, 0] + c * legs[k, 1]
+                            turned[k, 2] = legs[k, 2]
+                        total = twist_support(local, turned, 0.0, radius, gradient, length, tolerance)
+                        if total <= best[KEPT - 1]:
+                            continue
+                        # the first is replaced by what is better, and goes to the second where the axes differ
+                        first, second = KEPT * i, KEPT * i + 1
+                        same = out[first, 5] * axis[0] + out[first, 8] * axis[1] + out[first, 11] * axis[2] > 0.9
+                        at = first if total > best[0] else second
+                        if at == second and same:
+                            continue
+                        if at == first and not same:
+                            best[1] = best[0]
+                            out[second] = out[first]
+                        best[at - first] = total
+                        for a in range(3):
+                            out[at, a] = place[a] - along * axis[a] - rho * radial[a]
+                            out[at, 3 + 3 * a] = c * radial[a] + s * across[a]
+                            out[at, 4 + 3 * a] = -s * radial[a] + c * across[a]
+                            out[at, 5 + 3 * a] = axis[a]
+    return out
