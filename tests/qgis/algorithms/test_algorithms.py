@@ -677,3 +677,20 @@ def test_a_folder_becomes_a_survey(tiny: Path, tmp_path: Path, context: QgsProce
     text = target.read_text(encoding="utf-8")
     assert 'crs = "EPSG:32650"' in text
     assert text.count("[[epoch]]") == 2
+
+
+def test_a_folder_of_ply_becomes_a_survey_once_its_crs_is_given(
+    tmp_path: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+) -> None:
+    head = "ply\nformat ascii 1.0\nelement vertex 400\nproperty double x\nproperty double y\nproperty double z\nend_header\n"
+    places = "".join(f"{500000 + 0.2 * (k % 20):.3f} {3500000 + 0.2 * (k // 20):.3f} {0.01 * (k % 7):.3f}\n" for k in range(400))
+    for day in EPOCHS:
+        (tmp_path / day).mkdir()
+        (tmp_path / day / "wall.PLY").write_text(head + places)
+    target = tmp_path / "survey.toml"
+    parameters = {"FOLDER": str(tmp_path), "HEIGHT": 2.3, "CRS": "EPSG:32650", "OUTPUT": str(target)}
+    run("newsurvey", parameters, context, feedback)
+    drafted = tomllib.loads(target.read_text(encoding="utf-8"))
+    assert [(found["label"], found["tiles"], found["undeclared_crs"]) for found in drafted["epoch"]] == [
+        (day, f"{day}/wall.PLY", "EPSG:32650") for day in EPOCHS
+    ]
