@@ -19,7 +19,7 @@ from ..model.unit_types import UnitType
 from .crs import LOCAL, check_survey_crs
 from .file_patterns import MAGIC, BrokenLink, existing_path, matching_files
 from .mould_files import moulded
-from .survey_keys import REPEATED, REQUIRED, SECTIONS, unit_from_keys
+from .survey_keys import LONGEST_NAME, REPEATED, REQUIRED, SECTIONS, is_name, is_place, unit_from_keys
 from .virtual_clouds import expanded
 
 Ring = tuple[tuple[float, float], ...]
@@ -308,7 +308,7 @@ class _Reader:
         if key.kind == "number":
             if not (math.isfinite(value) and key.least < value <= key.most):
                 limits = f"above {key.least:g}" if math.isinf(key.most) else f"above {key.least:g} and at most {key.most:g}"
-                metres = key.unit == "metres" and value > key.most
+                metres = key.unit == "metres" and math.inf > value > key.most
                 likely = f"Is it in millimetres? Then write {value / 1000:g}." if metres else f"It is in {key.unit}." if key.unit else ""
                 raise self._error(section, index, name, f"{name} must be a number {limits}, not {value!r}", likely)
             return float(value)
@@ -457,7 +457,7 @@ def _is_number(value: Any) -> bool:
 
 
 def _is_ring(value: Any) -> bool:
-    return isinstance(value, list) and all(isinstance(c, list) and len(c) == 2 and all(map(_is_number, c)) for c in value)
+    return isinstance(value, list) and all(map(is_place, value))
 
 
 def _is_text(value: Any) -> bool:
@@ -467,11 +467,11 @@ def _is_text(value: Any) -> bool:
 _EXPECTED = {
     "text": _Expected("text in quotes", _is_text),
     "choice": _Expected("text in quotes", _is_text),
+    "name": _Expected(f"text in quotes, on one line and of at most {LONGEST_NAME} signs", is_name),
     "number": _Expected("a number", _is_number),
     "boolean": _Expected("true or false", lambda value: isinstance(value, bool)),
     "time": _Expected("a time without quotes", lambda value: not isinstance(value, str | int | float | list | dict)),
-    "file": _Expected("a path in quotes", lambda value: isinstance(value, str) and bool(value)),
-    "layer": _Expected("a path in quotes", lambda value: isinstance(value, str) and bool(value)),
+    **dict.fromkeys(("file", "layer"), _Expected("a path in quotes", lambda value: isinstance(value, str) and bool(value))),
     "files": _Expected(
         "a path in quotes or a list of them",
         lambda value: (
@@ -486,7 +486,7 @@ def _describe(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
-        return f"the text {value!r}"
+        return f"the text {value!r}" if len(value) < 200 else "a long text"
     if isinstance(value, int | float):
         return f"the number {value}" if abs(value) < LARGEST_NUMBER else "a number of many digits"
     if isinstance(value, list):

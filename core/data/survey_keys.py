@@ -3,12 +3,31 @@
 from __future__ import annotations
 
 import math
+import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from ..common.errors import InputError
 from ..model.unit_types import UnitType, catalogue_unit
+
+LONGEST_NAME = 100
+"""Signs of a name: it becomes part of files' names, columns and titles."""
+LARGEST_COORDINATE = 1e9
+
+
+def is_name(value: Any) -> bool:
+    """Whether a value is a text that can serve as a name: not long, and on one line."""
+    return isinstance(value, str) and len(value) <= LONGEST_NAME and not any(unicodedata.category(sign) == "Cc" for sign in value)
+
+
+def is_place(value: Any) -> bool:
+    """Whether a value is [easting, northing]."""
+    return (
+        isinstance(value, list)
+        and len(value) == 2
+        and all(isinstance(v, int | float) and not isinstance(v, bool) and abs(v) < LARGEST_COORDINATE for v in value)
+    )
 
 
 @dataclass(frozen=True)
@@ -18,7 +37,7 @@ class Key:
     Attributes
     ----------
     kind
-        ``text``, ``number``, ``boolean``, ``time``, ``file``, ``layer``, ``files``, ``ring`` or ``choice``.
+        ``text``, ``name``, ``number``, ``boolean``, ``time``, ``file``, ``layer``, ``files``, ``ring`` or ``choice``.
     help
         Meaning, as a comment of the template.
     example
@@ -48,7 +67,7 @@ class Key:
 
 SECTIONS: dict[str, dict[str, Key]] = {
     "survey": {
-        "name": Key("text", "name of the site", '"north breakwater"', required=True),
+        "name": Key("name", "name of the site", '"north breakwater"', required=True),
         "crs": Key("text", 'projected (or compound) CRS of all results; "LOCAL" for a lab frame in metres', '"EPSG:32650"', required=True),
         "description": Key("text", "anything worth telling", '"UAV laser scanning"', default=""),
         "stable_areas": Key(
@@ -103,7 +122,7 @@ SECTIONS: dict[str, dict[str, Key]] = {
         "area": Key("ring", "where units of this type lie: corners [easting, northing]; with several [[unit]] types", "[]"),
     },
     "epoch": {
-        "label": Key("text", "name of the epoch in all layers", '"2025-03-14"', required=True),
+        "label": Key("name", "name of the epoch in all layers", '"2025-03-14"', required=True),
         "time": Key("time", "time of the survey with its time zone (Z is UTC)", "2025-03-14T02:30:00Z", required=True),
         "tiles": Key(
             "files",

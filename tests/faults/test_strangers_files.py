@@ -105,6 +105,12 @@ def _elements(page: str, name: str) -> list[str]:
         ('"a" . ' * 2000 + "b = 1\n" + HEAD + EPOCH, "is no survey.toml"),
         (HEAD + "area = [[" + "9" * 400 + ", 1], [1, 2], [3, 4]]\n" + EPOCH, "area must be"),
         ("#" * 5_000_000, "is no survey.toml"),
+        (HEAD.replace('"s"', '"' + "n" * 100_000 + '"') + EPOCH, "name must be text in quotes, on one line"),
+        (HEAD + EPOCH.replace('"a"', '"a\\u0000b"'), "label must be text in quotes, on one line"),
+        (HEAD + EPOCH.replace('"a"', '"a\\nb"'), "label must be text in quotes, on one line"),
+        (HEAD + "area = [[nan, 1], [1, 2], [3, 4]]\n" + EPOCH, "area must be"),
+        (HEAD + "area = [[1e300, 1], [1, 2], [3, 4]]\n" + EPOCH, "area must be"),
+        (HEAD.replace("2.3", "inf") + EPOCH, "at most 7, not inf. It is in metres"),
     ],
 )
 def test_surveys_made_to_break_the_reader(tmp_path: Path, text: str, told: str) -> None:
