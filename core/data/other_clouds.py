@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from ..common.arrays import FloatArray
-from ..common.atomic_files import temporary_beside, temporary_folder
+from ..common.atomic_files import cannot_write, temporary_beside, temporary_folder
 from ..common.errors import InputError
 from ..common.user_cache import cache_folder
 from .scan_cache import key_of
@@ -65,6 +65,8 @@ def as_las(path: Path) -> Path:
     ------
     InputError
         An E57 or PLY that cannot be read, or for which the reader or a place for the copy is missing.
+    OutputError
+        The copy cannot be written.
     OSError
         The file is missing or unreadable.
     """
@@ -89,8 +91,10 @@ def as_las(path: Path) -> Path:
         temporary = stack.enter_context(temporary_beside(copy))
         try:
             _write(cloud, temporary)
-        except (InputError, OSError, MemoryError):
+        except (InputError, MemoryError):
             raise
+        except OSError as error:
+            raise cannot_write(copy, error) from error
         except Exception as error:
             # libE57 reports damage through exceptions of its own
             raise _damaged(path, error) from error

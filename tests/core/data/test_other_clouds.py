@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from datetime import date
 from pathlib import Path
 from types import SimpleNamespace
@@ -12,7 +13,8 @@ import pytest
 from las_files import ORIGIN, grid_points, write_las
 from scipy.spatial import cKDTree
 from tetratrack.core.common import user_cache
-from tetratrack.core.common.errors import InputError
+from tetratrack.core.common.errors import InputError, OutputError
+from tetratrack.core.data import other_clouds
 from tetratrack.core.data.las_copies import Dimension, write_with_dimension
 from tetratrack.core.data.las_files import read_header
 from tetratrack.core.data.tile_dates import tile_dates
@@ -147,6 +149,17 @@ def test_points_of_invalid_beams_are_left_out(tmp_path: Path) -> None:
     file.write_scan_raw({**columns, "cartesianInvalidState": state})
     file.close()
     assert read_header(path).count == len(local) - 30
+
+
+def test_a_full_disk_is_that_of_the_copy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(other_clouds, "_write", full)
+    with pytest.raises(OutputError, match="No space left") as refused:
+        read_header(write_ply(tmp_path / "scan.ply", grid_points()))
+    assert "clouds" in str(refused.value.source)
+    assert list((tmp_path / "cache" / "tetratrack" / "clouds").iterdir()) == []
 
 
 def test_labels_go_into_a_copy_as_laz(tmp_path: Path) -> None:
