@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import socket
+import stat
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -99,11 +100,25 @@ def _sole_writer(target: Path) -> Iterator[None]:
         os.close(handle)
 
 
+def _no_lock(path: Path) -> OutputError:
+    """In a folder of several people somebody may have put a link to another's file there, to have it overwritten."""
+    return OutputError("is no lock of a run but a link, or no file", source=path, remedy="Delete it.")
+
+
 def _locked(path: Path, target: Path) -> int:
     """Handle of the lock file, locked."""
     while True:
         try:
-            handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
+            handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
+        except OSError as error:
+            if path.is_symlink():
+                raise _no_lock(path) from error
+            raise cannot_write(path, error) from error
+        state = os.fstat(handle)
+        if not stat.S_ISREG(state.st_mode) or state.st_nlink > 1:
+            os.close(handle)
+            raise _no_lock(path)
+        try:
             if sys.platform != "win32":
                 with suppress(PermissionError):
                     # whatever the umask: a run that was killed leaves the file, and the next may be another user's

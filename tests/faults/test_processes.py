@@ -101,6 +101,29 @@ def test_the_lock_lies_beside_the_output_and_outlives_nobody(tmp_path: Path) -> 
         pass
 
 
+@pytest.mark.skipif(os.name != "posix", reason="links as POSIX has them")
+@pytest.mark.parametrize("kind", ["link", "hard link", "link to nothing", "pipe", "folder"])
+def test_a_lock_that_somebody_made_a_link_overwrites_nothing(tmp_path: Path, kind: str) -> None:
+    """Neither is what it leads to written, nor its mode changed."""
+    output, lock, other = tmp_path / "r.gpkg", tmp_path / "r.gpkg.lock", tmp_path / "keys"
+    other.write_text("another's file")
+    other.chmod(0o600)
+    if kind == "hard link":
+        lock.hardlink_to(other)
+    elif kind == "pipe":
+        os.mkfifo(lock)
+    elif kind == "folder":
+        lock.mkdir()
+    else:
+        lock.symlink_to(other if kind == "link" else tmp_path / "nothing")
+    with pytest.raises(OutputError, match=r"is no lock of a run|Is a directory"), _second_run(output):
+        pass
+    assert other.read_text() == "another's file"
+    assert other.stat().st_mode & 0o777 == 0o600
+    assert not (tmp_path / "nothing").exists()
+    assert lock.exists() or lock.is_symlink()
+
+
 def _second_run(output: Path):  # type: ignore[no-untyped-def]
     return job_runner(output, RunOptions(workers=1), Feedback())
 
