@@ -298,11 +298,10 @@ def _changes_unlike_the_ground(
         a, b = _numbers_of_common(first, second)
         p_values = p_values_of_changes(
             common.values,
-            noise**2 * (first.variances[a] + second.variances[b]),
+            first.variances[a] + second.variances[b],
             ground.at(first.positions[a]),
             basis.model.length * basis.model.scaled(first.positions[a])[:, 0],
             STATION_HEIGHTS * height,
-            3.0 * len(a),
         )
         alone = [_outlier_p_values(basis.model, own, noise, np.ones(len(own.ids), dtype=bool))[1] for own in (first, second)]
         later = alone[1][b] < alone[0][a]

@@ -21,22 +21,21 @@ FEWEST_NEIGHBOURS = 2
 
 
 def p_values_of_changes(
-    differences: FloatArray, variances: FloatArray, ground: LocalMotions, along: FloatArray, reach: float, degrees: float
+    differences: FloatArray, variances: FloatArray, ground: LocalMotions, along: FloatArray, reach: float
 ) -> FloatArray:
     """(k,) p-values of the changes of targets against those of the ground, or of their station where that agrees better.
 
     Parameters
     ----------
     differences, variances
-        (k, 3) later residual less the earlier one, metres, and its variance, square metres.
+        (k, 3) later residual less the earlier one, metres, and its stated variance, square metres: the least that is believed, as how far
+        off most targets are is seen here.
     ground
         Difference of the frames at the k targets, as units see it.
     along
         (k,) where the targets lie along the structure, metres.
     reach
         Distance within which targets are one station, metres.
-    degrees
-        Degrees of freedom of the variances.
     """
     away = differences - ground.means[:, :3]
     own = np.stack([np.diag(v) for v in variances])
@@ -49,4 +48,5 @@ def p_values_of_changes(
         spread = own[k] * (1 + math.pi / 2 / len(near))
         form[k] = min(form[k], quadratic((away[k] - np.median(away[near], axis=0))[None], spread[None])[0])
     size = max(float(np.median(form)) / CHI2_3_MEDIAN, 1.0) if len(form) else 1.0
-    return f_p_value(form / size, degrees)
+    # a median knows a variance about as well as the squares of two thirds of its values do
+    return f_p_value(form / size, 2.0 * len(form))

@@ -23,7 +23,7 @@ def changes(seed: int) -> tuple[FloatArray, LocalMotions]:
 
 
 def judged(differences: FloatArray, ground: LocalMotions) -> FloatArray:
-    return p_values_of_changes(differences, np.full(differences.shape, NOISE**2), ground, ALONG, 9.0, 60.0)
+    return p_values_of_changes(differences, np.full(differences.shape, NOISE**2), ground, ALONG, 9.0)
 
 
 def test_good_targets_change_as_the_ground_does() -> None:
