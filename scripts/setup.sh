@@ -65,9 +65,9 @@ find_python() { # Debian's own first: an interpreter from elsewhere may lack the
 stamp_of() { cat "$@" | sha256sum | cut -d' ' -f1; }
 
 setup_system() {
-    step "system packages for the engine" "run: apt-get install python3-venv libegl1 libgl1 libgomp1 libidn2-0 libpangoft2-1.0-0 libusb-1.0-0 libx11-6"
+    step "system packages for the engine" "run: apt-get install python3-venv libegl1 libgl1 libgomp1 libharfbuzz-subset0 libidn2-0 libpangoft2-1.0-0 libusb-1.0-0 libx11-6"
     find_python >/dev/null || apt_install python3 python3-venv
-    apt_install libegl1 libgl1 libgomp1 libidn2-0 libpangoft2-1.0-0 libusb-1.0-0 libx11-6
+    apt_install libegl1 libgl1 libgomp1 libharfbuzz-subset0 libidn2-0 libpangoft2-1.0-0 libusb-1.0-0 libx11-6
 }
 
 install_locked() { # every file is checked against its checksum where the lock knows the files of this machine

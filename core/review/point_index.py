@@ -15,6 +15,7 @@ import shutil
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from tokenize import TokenError
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -150,7 +151,7 @@ class PointIndex:
                 coordinates = np.load(self.folder / f"{part.stem}.points.npy", mmap_mode="r", allow_pickle=False)
                 if coordinates.dtype != np.int32 or coordinates.ndim != 2 or coordinates.shape[1] < 3:
                     raise ValueError("points")
-            except (EOFError, OSError, SyntaxError, ValueError) as error:
+            except (EOFError, OSError, SyntaxError, TokenError, ValueError) as error:
                 raise damaged(self.folder / part.stem) from error
             yield np.asarray(coordinates[:, :3] * SCALE + np.array(part.origin))
 
@@ -185,7 +186,7 @@ class PointIndex:
             return self._read_cells(part, low, high, columns)
         except FileNotFoundError:
             raise
-        except (AttributeError, EOFError, IndexError, OSError, OverflowError, SyntaxError, TypeError, ValueError) as error:
+        except (AttributeError, EOFError, IndexError, OSError, OverflowError, SyntaxError, TokenError, TypeError, ValueError) as error:
             raise damaged(self.folder / part.stem) from error
 
     def _read_cells(self, part: IndexPart, low: FloatArray, high: FloatArray, columns: int) -> FloatArray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sqlite3
+from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
@@ -188,7 +189,7 @@ def run(path: Path) -> tuple[dict[str, float], dict[str, object]]:
     """Row of the only unit of a survey's result, and the record of its epoch."""
     output = path.with_suffix(".gpkg")
     run_survey(read_survey(path), output, RunOptions(workers=1), Feedback())
-    with sqlite3.connect(output) as database:
+    with closing(sqlite3.connect(output)) as database:
         database.row_factory = sqlite3.Row
         units = database.execute("SELECT * FROM units").fetchall()
         settings = json.loads(database.execute("SELECT settings FROM epochs").fetchone()[0])
