@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from honesty import matched, true_units
+from tetratrack.benchmarks.accuracy.honesty import matched, true_units
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey import read_survey
 from tetratrack.core.pipeline.run_options import RunOptions

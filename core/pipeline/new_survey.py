@@ -450,9 +450,9 @@ def given_survey(places: Sequence[Path], given: Given, output: Path, feedback: F
     InputError
         The file is wrong, or the tiles leave something open.
     """
-    check_output(output)
     first = places[0]
     if len(places) > 1 or first.is_dir() or first.suffix.lower() in CLOUDS:
+        check_output(output)
         return survey_of_tiles(places, given, output.with_suffix(".toml"), feedback.part(0, 0.05))
     if given.height is not None or given.crs is not None:
         raise InputError("--crs and --height are for folders", source=first, remedy="Write them into the file.")
