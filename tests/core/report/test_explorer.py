@@ -48,7 +48,8 @@ window.addEventListener("load", () => setTimeout(() => {
   find("#units-table tbody tr").click();
   out.chosen = units[find(".unit.chosen").dataset.unit].id;
   out.missing = !find("#scene-missing").hidden;
-  setTimeout(() => {
+  // a busy machine may draw the scene late
+  const look = (tries) => {
     const canvas = find("#scene canvas"), gl = GL;
     if (gl) {
       const pixels = new Uint8Array(4 * 300 * 300);
@@ -56,12 +57,17 @@ window.addEventListener("load", () => setTimeout(() => {
       const shades = new Set();
       for (let j = 0; j < pixels.length; j += 4) shades.add(pixels[j] + " " + pixels[j + 1] + " " + pixels[j + 2]);
       out.shades = shades.size;
+      if (shades.size === 1 && tries > 0) {
+        setTimeout(look, 500, tries - 1);
+        return;
+      }
     }
     const told = document.createElement("pre");
     told.id = "outcome";
     told.textContent = JSON.stringify(out);
     document.body.appendChild(told);
-  }, 500);
+  };
+  setTimeout(look, 500, 15);
   }, 1000);
 }, 200));
 </script></body>"""
