@@ -47,20 +47,22 @@ window.addEventListener("load", () => setTimeout(() => {
   out.last = find("#units-table tbody tr").cells[0].textContent;
   find("#units-table tbody tr").click();
   out.chosen = units[find(".unit.chosen").dataset.unit].id;
-  out.missing = !find("#scene-missing").hidden;
   // a busy machine may draw the scene late
   const look = (tries) => {
     const canvas = find("#scene canvas"), gl = GL;
+    out.missing = !find("#scene-missing").hidden;
+    let waiting = !gl && !out.missing;
     if (gl) {
       const pixels = new Uint8Array(4 * 300 * 300);
       gl.readPixels(canvas.width / 2 - 150, canvas.height / 2 - 150, 300, 300, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
       const shades = new Set();
       for (let j = 0; j < pixels.length; j += 4) shades.add(pixels[j] + " " + pixels[j + 1] + " " + pixels[j + 2]);
       out.shades = shades.size;
-      if (shades.size === 1 && tries > 0) {
-        setTimeout(look, 500, tries - 1);
-        return;
-      }
+      waiting = shades.size === 1;
+    }
+    if (waiting && tries > 0) {
+      setTimeout(look, 500, tries - 1);
+      return;
     }
     const told = document.createElement("pre");
     told.id = "outcome";
