@@ -159,12 +159,12 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     scene, poses = _searched(scene, seed)
     poses, found, owner = _settled(elements, poses, scene, rounds=1)
     # chance alignments claim points of units: a last look without them
-    unlikely = score(found, scene.tolerance, typical_unit(found, scene)) < CHANCE_SCORE
+    likely = score(found, scene.tolerance, typical_unit(found, scene))
+    unlikely = likely < CHANCE_SCORE
     active = ~np.isin(owner, np.flatnonzero(~unlikely))
     candidates = _candidates(scene, active, seed + PASSES, twists=5)
     if is_sparse(scene):
-        sure = score(found, scene.tolerance, typical_unit(found, scene)) >= FOUND_SCORE
-        about = refine(poses_about_elements(scene, active, poses[sure]), scene, active, most=250, sweeps=8)
+        about = refine(poses_about_elements(scene, active, poses[likely >= FOUND_SCORE]), scene, active, most=250, sweeps=8)
         candidates = np.vstack([candidates, about])
     chance = int(unlikely.sum())
     known = distinct(np.vstack([poses[unlikely], candidates]), unit)
