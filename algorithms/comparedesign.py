@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterFileDestination
@@ -18,7 +19,7 @@ class CompareDesign(ResultAlgorithm):
     ICON = "validate.svg"
     COMMAND = "design"
     OUTSIDE, MISSING, OFF_PROFILE = "OUTSIDE", "MISSING", "OFF_PROFILE"
-    NUMBERS: ClassVar = {OUTSIDE: "outside", MISSING: "missing", OFF_PROFILE: "off_profile"}
+    NUMBERS: ClassVar[Mapping[str, str]] = {OUTSIDE: "outside", MISSING: "missing", OFF_PROFILE: "off_profile"}
 
     def texts(self) -> Texts:
         return Texts(

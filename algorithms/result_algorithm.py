@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, ClassVar
 
 from qgis.core import (
     Qgis,
@@ -28,7 +28,7 @@ class ResultAlgorithm(TetratrackAlgorithm):
     GROUP = "monitoring"
     COMMAND = ""
     """Of the engine."""
-    NUMBERS: Mapping[str, str] = {}
+    NUMBERS: ClassVar[Mapping[str, str]] = {}
     """Outputs, by what the engine calls them."""
     INPUT, EPOCH, OUTPUT = "INPUT", "EPOCH", "OUTPUT"
     PLAN, TOLERANCE, TURN = "PLAN", "TOLERANCE", "TURN_TOLERANCE"

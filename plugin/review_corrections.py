@@ -8,13 +8,13 @@ from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 from qgis.core import QgsPointXY
 from qgis.gui import QgsMapTool
 from qgis.PyQt.QtWidgets import QFileDialog, QMenu, QMessageBox
 
 from ..algorithms.support.lengths import length_format
 from ..algorithms.support.translation import tr
+from ..core.common.arrays import FloatArray
 from ..core.model.unit_types import LEG_LENGTH_RATIO
 from ..core.review.corrections import (
     add_placeholder,
@@ -34,8 +34,6 @@ from .review_panels import DecisionPanel, StatusLine
 from .review_pick import ClickTool
 from .review_tabs import UnitTabs
 from .review_text import edit_label
-
-FloatArray = NDArray[np.float64]
 
 PICK_SD_SPACINGS = 1.0
 """Standard deviation of one picked coordinate in point spacings: a pick lands on the nearest point."""
@@ -192,12 +190,11 @@ class ReviewCorrections:
 
         Where there is none: nothing if it must be a point of the cloud, else that place at the height of the nearest unit.
         """
-        near = [row for row in self.store.rows if row.place is not None]
-        nearest = min(near, key=lambda row: math.hypot(row.place[0] - e, row.place[1] - n))
-        flat = np.array([e, n, nearest.place[2]])
+        near = [(row.place, row.height or 2.0) for row in self.store.rows if row.place is not None]
+        place, height = min(near, key=lambda unit: math.hypot(unit[0][0] - e, unit[0][1] - n))
+        flat = np.array([e, n, place[2]])
         if self.store.index is None:
             return flat
-        height = nearest.height or 2.0
         points = self.store.points_around(self._epoch(picking.epoch), flat, 2 * height)
         close = points[np.hypot(points[:, 0] - e, points[:, 1] - n) < 0.04 * height]
         if len(close) > 0:
@@ -210,21 +207,26 @@ class ReviewCorrections:
     # what the picks are for
 
     def _refit(self, epoch: str, points: list[FloatArray]) -> None:
-        unit = self.store.current
+        unit = self._current()
+        if unit is None:
+            return
         place = ",".join(f"{value:.3f}" for value in points[0])
         arguments = ["refit", str(self.store.path), "--unit", unit, "--epoch", epoch, "--near", place, "--editor", self._editor]
         self._start_engine(tr("Fitting {unit} again").format(unit=unit), arguments, tr("{unit} was fitted again.").format(unit=unit))
 
     def _pin(self, epoch: str, points: list[FloatArray]) -> None:
-        unit = self.store.current
-        details = self.store.details(unit)
+        unit = self._current()
+        if unit is None:
+            return
+        details, row = self.store.details(unit), self.store.row(unit)
+        known_height = None if row is None else row.height
         shape = details.shapes.get(epoch) or next(iter(details.shapes.values()), None)
         if shape is None:
             self._status.say(tr("The unit has no pose in any epoch to take its size from."), bad=True)
             return
         centre, rotation, names, misfit = pose_from_features(points, shape.radius, shape.gradient, shape.rotation)
         sd = self._pick_sd(epoch, shape.centre)
-        size = self.store.row(unit).height or 2.0
+        size = known_height or 2.0
         worst = min(max(MISFIT_SDS * sd, LEAST_MISFIT_HEIGHTS * size), MOST_MISFIT_HEIGHTS * size)
         if misfit > worst and not self._wanted_all_the_same(unit, misfit, worst):
             self._status.say(tr("Nothing was stored: pick the three joints again."))
@@ -233,7 +235,7 @@ class ReviewCorrections:
         sd = max(sd, misfit)
         # three picks of equal precision: the mean holds the centre, their distance from it the rotation
         turn = math.degrees(sd * math.sqrt(3) / float(np.linalg.norm(points[0] - centre)))
-        height = self.store.row(unit).height or shape.leg_length / LEG_LENGTH_RATIO
+        height = known_height or shape.leg_length / LEG_LENGTH_RATIO
         pose = NewPose(
             centre=centre,
             rotation=rotation,
@@ -259,7 +261,9 @@ class ReviewCorrections:
         return answer == QMessageBox.StandardButton.Yes
 
     def _pick(self, epoch: str, points: list[FloatArray]) -> None:
-        unit, place = self.store.current, points[0]
+        unit, place = self._current(), points[0]
+        if unit is None:
+            return
         features = {name: value[0] for name, value in self.store.details(unit).features.get(epoch, {}).items() if name != "centre"}
         if not features:
             self._status.say(tr("The unit was not found in this epoch: pin it by three joints instead."), bad=True)
@@ -295,7 +299,8 @@ class ReviewCorrections:
 
     def split(self) -> None:
         """Make two units of the current one, from the later epoch on."""
-        unit, epoch, names = self._current(), self.store.pair.epoch_to, []
+        unit, epoch = self._current(), self.store.pair.epoch_to
+        names: list[str] = []
         if unit is None:
             return
         if self._status.attempt(lambda: names.append(split_unit(self.store.path, unit, epoch, editor=self._editor))):

@@ -80,7 +80,7 @@ def _line(name: str, value: str) -> str:
 
 
 def _displacement_lines(row: UnitRow) -> list[str]:
-    if row.vector is None or row.sd is None:
+    if row.vector is None or row.sd is None or row.d_3d is None:
         return [_line(tr("Displacement"), tr("none: one of the two positions is not known"))]
     lengths = length_format()
     height = row.height or math.nan

@@ -136,6 +136,8 @@ class ReviewDock(QgsDockWidget):
 
     def _layers_vanished(self) -> None:
         """The user removed the layers, or opened another project: the review ends and says so."""
+        if self.store is None:
+            return
         name = self.store.path.name
         self._close_store()
         self.status.say(tr("{name} was closed with its layers. Every decision is stored: open it again to go on.").format(name=name))
@@ -273,13 +275,14 @@ class ReviewDock(QgsDockWidget):
 
     def take_in(self) -> None:
         found: list[str] = []
-        if self.store is not None and self.isVisible() and not self.status.busy:
-            selected = self.store.selected
+        store, shown = self.store, self.map
+        if store is not None and shown is not None and self.isVisible() and not self.status.busy:
+            selected = store.selected
             # a file locked for a moment is read at the next turn
-            self.status.attempt(lambda: found.append(self.store.refresh()), quiet=True)
+            self.status.attempt(lambda: found.append(store.refresh()), quiet=True)
             if "corrections" in found:
-                self.map.reload()
-                self.store.select(selected)
+                shown.reload()
+                store.select(selected)
         if any(found):
             others = {
                 "decisions": tr("Decisions of another reviewer were taken in."),
@@ -365,27 +368,29 @@ class ReviewDock(QgsDockWidget):
 
     def run_command(self, command: str) -> None:
         """What a single key in the table or a button asks for."""
-        if command in ("accepted", "rejected", "inspect"):
-            self.decide(command)
-        else:
-            {
-                "confirm": self.confirm,
-                "undo": self.undo,
-                "zoom": self.zoom,
-                "next": partial(self.step, 1, undecided=True),
-                "previous": partial(self.step, -1, undecided=True),
-            }[command]()
+        acts: dict[str, Callable[[], None]] = {
+            "accepted": partial(self.decide, "accepted"),
+            "rejected": partial(self.decide, "rejected"),
+            "inspect": partial(self.decide, "inspect"),
+            "confirm": self.confirm,
+            "undo": self.undo,
+            "zoom": self.zoom,
+            "next": partial(self.step, 1, undecided=True),
+            "previous": partial(self.step, -1, undecided=True),
+        }
+        acts[command]()
 
     def decide(self, decision: Decision) -> None:
         """Store a decision on the selected units."""
-        if self.store is None:
+        store = self.store
+        if store is None:
             return
-        units = ", ".join(self.store.selected)
+        units = ", ".join(store.selected)
         reviewer, comment = self.decisions.reviewer.text(), self.decisions.comment.text().strip()
-        if self.status.attempt(lambda: self.store.decide(decision, reviewer=reviewer, comment=comment)):
+        if self.status.attempt(lambda: store.decide(decision, reviewer=reviewer, comment=comment)):
             self.status.say(
                 tr("{units}: {decision}, stored.").format(
-                    units=units if len(units) < 60 else len(self.store.selected), decision=decision_label(decision)
+                    units=units if len(units) < 60 else len(store.selected), decision=decision_label(decision)
                 )
             )
             self.decisions.comment.clear()
@@ -393,15 +398,16 @@ class ReviewDock(QgsDockWidget):
     def confirm(self) -> None:
         """Confirm another reviewer's decisions on the selected units."""
         reviewer, comment = self.decisions.reviewer.text(), self.decisions.comment.text().strip()
-        if self.store is not None and self.status.attempt(lambda: self.store.confirm(reviewer=reviewer, comment=comment)):
+        store = self.store
+        if store is not None and self.status.attempt(lambda: store.confirm(reviewer=reviewer, comment=comment)):
             self.status.say(tr("Confirmed."))
             self.decisions.comment.clear()
 
     def undo(self) -> None:
         """Take back the last decision or confirmation of this reviewer."""
-        reviewer = self.decisions.reviewer.text()
-        if self.store is not None and self.status.attempt(lambda: self.store.select(self.store.undo(reviewer=reviewer))):
-            self.status.say(tr("Taken back: {units}.").format(units=", ".join(self.store.selected)))
+        reviewer, store = self.decisions.reviewer.text(), self.store
+        if store is not None and self.status.attempt(lambda: store.select(store.undo(reviewer=reviewer))):
+            self.status.say(tr("Taken back: {units}.").format(units=", ".join(store.selected)))
 
     def _read_points(self) -> None:
         if self.corrections is not None:
@@ -438,15 +444,16 @@ class ReviewDock(QgsDockWidget):
         """Show bodies and arrows of the result in QGIS's 3D view."""
         from qgis.utils import iface
 
-        if self.store is not None and iface is not None:
-            self.status.attempt(lambda: open_view(iface, self.store.path, self.project))
+        store = self.store
+        if store is not None and iface is not None:
+            self.status.attempt(lambda: open_view(iface, store.path, self.project))
 
     def choose_report(self) -> None:
         """Open the report's own window: axis, width, sections and number of units can be set there."""
         if self.store is None:
             return
         pair = self.store.pair
-        known = {"INPUT": str(self.store.path), "FROM": pair.epoch_from, "TO": pair.epoch_to}
+        known: dict[str, Any] = {"INPUT": str(self.store.path), "FROM": pair.epoch_from, "TO": pair.epoch_to}
         known |= {"DATUM": ("", "stable", "control").index(self.store.datum), "OUTPUT": str(self.store.path.with_suffix(".html"))}
         self._algorithm_window("displacementreport", known)
 
@@ -486,7 +493,10 @@ class ReviewDock(QgsDockWidget):
 
     def export_alarms(self, path: Path, threshold: float) -> None:
         """Write units displaced by more than a threshold in metres, rejected ones left out."""
-        store, counted = self.store, []
+        store = self.store
+        counted: list[int] = []
+        if store is None:
+            return
         if self.status.attempt(lambda: counted.append(write_alarms(store.path, path, threshold, pair=store.pair, datum=store.datum))):
             self.status.say(tr("{count} units written to {name}.").format(count=counted[0], name=path.name))
 

@@ -8,7 +8,6 @@ from pathlib import Path
 from uuid import uuid4
 
 import numpy as np
-from numpy.typing import NDArray
 from qgis.core import (
     Qgis,
     QgsCoordinateTransform,
@@ -31,11 +30,10 @@ from qgis.PyQt.QtGui import QColor
 from ..algorithms.support.layers import apply_style
 from ..algorithms.support.lengths import write_project_lengths
 from ..algorithms.support.translation import tr
+from ..core.common.arrays import FloatArray
 from ..core.results.geopackage_reader import table_names
 from .review_store import ReviewStore
 from .review_text import datum_label
-
-FloatArray = NDArray[np.float64]
 
 ZOOM_HEIGHTS = 12.0
 """Width of the map after zooming to a unit, in heights of the unit."""
@@ -273,17 +271,18 @@ class ReviewMap(QObject):
     def _arrow_at(self, click: FloatArray, reach: float) -> str | None:
         """Unit whose arrow is drawn under a click: arrows have a length on paper, which the map's scale turns into one on the ground."""
         rejected = self.store.rejected
-        rows = [row for row in self.store.rows if row.vector is not None and row.place is not None and row.unit_id not in rejected]
-        if not rows:
+        shown = [row for row in self.store.rows if row.unit_id not in rejected]
+        found = [(row.unit_id, row.place[:2], row.vector[:2]) for row in shown if row.vector is not None and row.place is not None]
+        if not found:
             return None
-        starts = np.array([row.place[:2] for row in rows])
-        vectors = np.array([row.vector[:2] for row in rows])
+        names, places, moves = zip(*found, strict=True)
+        starts, vectors = np.array(places), np.array(moves)
         lengths = np.maximum(np.hypot(*vectors.T), 1e-6)
         arrows = vectors * (np.minimum(PAPER_PER_METRE, LONGEST_ON_PAPER / lengths) * self.canvas.scale())[:, None]
         along = np.clip(((click - starts) * arrows).sum(axis=1) / np.maximum((arrows**2).sum(axis=1), 1e-12), 0, 1)
         apart = np.hypot(*(starts + along[:, None] * arrows - click).T)
         nearest = int(np.argmin(apart))
-        return rows[nearest].unit_id if apart[nearest] <= reach else None
+        return names[nearest] if apart[nearest] <= reach else None
 
     def _outline_at(self, place: QgsPointXY) -> str | None:
         """Unit inside whose outline a place lies, the highest of several."""
@@ -293,17 +292,17 @@ class ReviewMap(QObject):
         point = QgsGeometry.fromPointXY(place)
         found = [feature for feature in self.outlines.getFeatures(request) if feature.geometry().contains(point)]
         names = [str(feature["unit_id"]) for feature in found]
-        rows = [row for name in names if (row := self.store.row(name)) is not None and row.place is not None]
-        return max(rows, key=lambda row: row.place[2]).unit_id if rows else None
+        rows = [row for name in names if (row := self.store.row(name)) is not None]
+        heights = {row.unit_id: float(row.place[2]) for row in rows if row.place is not None}
+        return max(heights, key=lambda unit: heights[unit]) if heights else None
 
     def _centre_at(self, click: FloatArray, reach: float) -> str | None:
         """Unit whose centre lies nearest to a click, if within reach or half the unit's height."""
-        rows = [row for row in self.store.rows if row.place is not None]
-        apart = [float(np.hypot(*(row.place[:2] - click))) for row in rows]
-        if not rows:
+        found = [(float(np.hypot(*(row.place[:2] - click))), row) for row in self.store.rows if row.place is not None]
+        if not found:
             return None
-        nearest = int(np.argmin(apart))
-        return rows[nearest].unit_id if apart[nearest] <= max(reach, 0.5 * (rows[nearest].height or 0.0)) else None
+        apart, nearest = min(found, key=lambda unit: unit[0])
+        return nearest.unit_id if apart <= max(reach, 0.5 * (nearest.height or 0.0)) else None
 
     def to_survey(self, point: QgsPointXY) -> QgsPointXY | None:
         """A place on the canvas in the survey's CRS; None where it cannot be transformed."""

@@ -122,24 +122,30 @@ class ComparisonChoice(QWidget):
         for pair in store.pairs:
             self.pair.addItem(str(pair), pair)
         self.pair.setCurrentIndex(store.pairs.index(store.pair))
-        self._fill_datums()
+        self._fill_datums(store)
 
-    def _fill_datums(self) -> None:
+    def _fill_datums(self, store: ReviewStore) -> None:
         self.datum.clear()
-        for datum in self._store.datums:
+        for datum in store.datums:
             self.datum.addItem(datum_label(datum), datum)
-        self.datum.setCurrentIndex(self.datum.findData(self._store.datum))
+        self.datum.setCurrentIndex(self.datum.findData(store.datum))
 
     def _choose_pair(self, index: int) -> None:
+        store = self._store
+        if store is None:
+            return
+
         def compare() -> None:
-            self._store.set_pair(self._store.pairs[index])
-            self._fill_datums()
+            store.set_pair(store.pairs[index])
+            self._fill_datums(store)
 
         if not self._status.attempt(compare):
-            self.pair.setCurrentIndex(self._store.pairs.index(self._store.pair))
+            self.pair.setCurrentIndex(store.pairs.index(store.pair))
 
     def _choose_datum(self, index: int) -> None:
-        self._status.attempt(lambda: self._store.set_datum(self.datum.itemData(index)))
+        store = self._store
+        if store is not None:
+            self._status.attempt(lambda: store.set_datum(self.datum.itemData(index)))
 
 
 class FilterPanel(QWidget):

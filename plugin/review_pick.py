@@ -5,6 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapTool, QgsMapToolPan
 from qgis.PyQt.QtCore import QPoint, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QKeyEvent
 
 STILL_PIXELS = 4
 """A button released nearer than this to where it was pressed was a click."""
@@ -60,7 +61,7 @@ class ClickTool(QgsMapTool):
         if event.button() == Qt.MouseButton.LeftButton:
             self.clicked.emit(event.mapPoint())
 
-    def keyReleaseEvent(self, event: object) -> None:
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
         """Leave the tool with Escape."""
         if event.key() == Qt.Key.Key_Escape:
             self.left.emit()

@@ -6,24 +6,22 @@ Drawn with QPainter alone, in the colours of the running theme.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QFontMetricsF, QMouseEvent, QPainter, QPaintEvent, QPalette, QPen, QPolygonF, QWheelEvent
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
 from ..algorithms.support.lengths import LengthFormat, length_format
 from ..algorithms.support.translation import tr
+from ..core.common.arrays import FloatArray
 from ..core.model.outline import PlacedShape, end_discs, section, silhouette
 from ..core.results.unit_rows import Z_95, SeriesPoint
 from .review_text import is_dark, paper
-
-FloatArray = NDArray[np.float64]
 
 # Okabe and Ito (2008): told apart by colour-blind readers; the lighter tones serve dark themes
 EARLIER, LATER = ("#0072B2", "#56B4E9"), ("#D55E00", "#E69F00")
@@ -77,10 +75,10 @@ class UnitScene:
     @cached_property
     def half_size(self) -> float:
         """Metres from the middle to the edge of the views: both poses fit."""
-        shapes = [shape for shape in self.shapes if shape is not None]
-        if not shapes:
+        shapes, middle = [shape for shape in self.shapes if shape is not None], self.middle
+        if middle is None:
             return 1.0
-        spread = max(float(np.linalg.norm(shape.centre - self.middle)) for shape in shapes)
+        spread = max(float(np.linalg.norm(shape.centre - middle)) for shape in shapes)
         return 1.15 * shapes[0].leg_length + spread
 
     @property
@@ -300,16 +298,18 @@ class UnitView(QWidget):
 
     def _draw_features(self, painter: QPainter, colours: tuple[QColor, QColor]) -> None:
         right, up = self.axes()
-        axes = np.vstack([right, up])
+        axes, middle = np.vstack([right, up]), self.scene.middle
+        if middle is None:
+            return
         for epoch in (0, 1):
             painter.setPen(QPen(colours[epoch], 1.5))
             painter.setBrush(paper(self.palette()))
             positions = [p for name, p in self.scene.features[epoch].items() if name != "centre"]
             if positions:
-                for place in self._to_screen((np.array(positions) - self.scene.middle) @ axes.T):
+                for place in self._to_screen((np.array(positions) - middle) @ axes.T):
                     painter.drawEllipse(place, 3.0, 3.0)
             if len(self.scene.picks[epoch]):
-                for place in self._to_screen((self.scene.picks[epoch] - self.scene.middle) @ axes.T):
+                for place in self._to_screen((self.scene.picks[epoch] - middle) @ axes.T):
                     painter.drawLine(place + QPointF(-5, -5), place + QPointF(5, 5))
                     painter.drawLine(place + QPointF(-5, 5), place + QPointF(5, -5))
 
@@ -386,7 +386,7 @@ class SeriesView(QWidget):
         """Room for axes and legend."""
         return QSize(420, 220)
 
-    def show_series(self, series: dict[str, Sequence[SeriesPoint]], limit: float | None) -> None:
+    def show_series(self, series: Mapping[str, Sequence[SeriesPoint]], limit: float | None) -> None:
         """Draw the series by feature name; ``limit`` is the detection limit in metres."""
         self.series = {name: points for name, points in series.items() if points}
         self.limit = limit

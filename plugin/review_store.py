@@ -14,6 +14,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.common.arrays import FloatArray
 from ..core.common.errors import InputError, OutputError, TetratrackError
 from ..core.results.geopackage_reader import EpochPair, epoch_pairs
 from ..core.results.result_access import is_writable
@@ -22,7 +23,6 @@ from ..core.review.corrections import edits_stamp
 from ..core.review.decisions import Decision, Review, ReviewEvent, confirm, decide, prepare, read_history, read_reviews, undo
 from ..core.review.point_index import PointIndex, index_folder
 
-FloatArray = NDArray[np.float64]
 Topic = Literal["rows", "order", "selection", "reviews"]
 
 COLUMNS = ("unit_id", "kind", "d_3d", "decision", "d_horizontal", "vertical", "rotation_deg", "p_value", "coverage", "reviewer")

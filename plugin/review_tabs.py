@@ -6,11 +6,12 @@ import math
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QCheckBox, QHBoxLayout, QSpinBox, QTabWidget, QTextBrowser, QToolButton, QVBoxLayout, QWidget
 
 from ..algorithms.support.translation import tr
+from ..core.common.arrays import FloatArray
+from ..core.model.outline import PlacedShape
 from ..core.results.field_checks import foreign_contents
 from ..core.results.schema import FEATURES
 from ..core.results.unit_rows import series, shift_to_datum
@@ -20,8 +21,6 @@ from .review_panels import StatusLine
 from .review_plots import SeriesView, UnitScene, UnitView
 from .review_store import ReviewStore
 from .review_text import datum_label
-
-FloatArray = NDArray[np.float64]
 
 
 class UnitTabs(QTabWidget):
@@ -143,19 +142,27 @@ def scene_of(store: ReviewStore, unit: str) -> UnitScene:
     details, pair, row = store.details(unit), store.pair, store.row(unit)
     labels = (pair.epoch_from, pair.epoch_to)
     shifts = (np.zeros(3), np.zeros(3) if row is None else shift_to_datum(row, details, pair))
-    shapes, features, places = [], [], []
     picks = read_picks(store.path, unit)
-    for label, shift in zip(labels, shifts):
+
+    def shown(label: str, shift: FloatArray) -> tuple[PlacedShape | None, dict[str, FloatArray], FloatArray]:
         shape = details.shapes.get(label)
-        shapes.append(None if shape is None else replace(shape, centre=shape.centre + shift))
-        features.append({name: value[0] + shift for name, value in details.features.get(label, {}).items()})
-        places.append(np.array([row["geom"] for row in picks if row["epoch"] == label]).reshape(-1, 3) + shift)
+        features = {name: value[0] + shift for name, value in details.features.get(label, {}).items()}
+        places = np.array([row["geom"] for row in picks if row["epoch"] == label]).reshape(-1, 3) + shift
+        return None if shape is None else replace(shape, centre=shape.centre + shift), features, places
+
+    first, second = shown(labels[0], shifts[0]), shown(labels[1], shifts[1])
     scene = UnitScene(
-        tuple(shapes), features=tuple(features), picks=tuple(places), labels=labels, datum=datum_label(store.datum), shift=shifts[1]
+        shapes=(first[0], second[0]),
+        features=(first[1], second[1]),
+        picks=(first[2], second[2]),
+        labels=labels,
+        datum=datum_label(store.datum),
+        shift=shifts[1],
     )
     if scene.middle is None:
         return scene
     if store.index is None:
         return replace(scene, note=tr("points not read yet"))
-    points = (store.points_around(label, scene.middle - shift, scene.half_size) + shift for label, shift in zip(labels, shifts))
-    return replace(scene, points=tuple(points))
+    middle, size = scene.middle, scene.half_size
+    before, after = (store.points_around(label, middle - shift, size) + shift for label, shift in zip(labels, shifts, strict=True))
+    return replace(scene, points=(before, after))

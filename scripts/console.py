@@ -240,9 +240,8 @@ def prepare_process() -> None:
         os.environ.setdefault(name, "1")
     for stream in (sys.stdout, sys.stderr):
         _reconfigure(stream, errors="replace")
-    if importlib.util.find_spec("pyproj") is not None and any(
-        (Path(folder) / "proj_dir").is_dir() for folder in importlib.util.find_spec("pyproj").submodule_search_locations or ()
-    ):
+    pyproj = importlib.util.find_spec("pyproj")
+    if pyproj is not None and any((Path(folder) / "proj_dir").is_dir() for folder in pyproj.submodule_search_locations or ()):
         for name in FOREIGN:
             os.environ.pop(name, None)
 

@@ -49,7 +49,7 @@ setup_qgis
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 check "lint" "run: .venv/bin/ruff check --fix ." .venv/bin/ruff check --quiet .
 check "format" "run: .venv/bin/ruff format ." .venv/bin/ruff format --quiet --check .
-check "types" "run: .venv/bin/mypy" .venv/bin/mypy
+check "types" "run: .venv/bin/python scripts/dev/types.py" .venv/bin/python scripts/dev/types.py
 check "QGIS tests" "run: xvfb-run -a .venv-qgis/bin/python -m pytest tests/qgis" \
     xvfb-run -a .venv-qgis/bin/python -m pytest tests/qgis -q -p no:cacheprovider
 step "engine tests" "run: .venv/bin/python -m pytest -n 2"

@@ -192,9 +192,9 @@ class _EngineRun:
         *lines, self.rest = self.rest.split(b"\n")
         for line in lines:
             self._handle(line.decode("utf-8", "replace").strip())
-        for line in bytes(self.process.readAllStandardError()).decode("utf-8", "replace").splitlines():
-            if line.strip():
-                self.tail = [*self.tail, line.rstrip()][-STDERR_LINES:]
+        for said in bytes(self.process.readAllStandardError()).decode("utf-8", "replace").splitlines():
+            if said.strip():
+                self.tail = [*self.tail, said.rstrip()][-STDERR_LINES:]
 
     def _handle(self, line: str) -> None:
         if not line:

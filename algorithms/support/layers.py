@@ -301,10 +301,10 @@ def set_span(layer: QgsRasterLayer, span: QgsDateTimeRange) -> None:
 
 def epoch_spans(result: Path) -> dict[str, QgsDateTimeRange]:
     """From when to when each epoch of a result is the latest; the last one has no end."""
-    infos = [info for info in read_epochs(result) if info.time is not None]
-    times = [QDateTime.fromMSecsSinceEpoch(round(1000 * info.time.timestamp()), Qt.TimeSpec.UTC) for info in infos]
+    begins = [(info.label, info.time.timestamp()) for info in read_epochs(result) if info.time is not None]
+    times = [QDateTime.fromMSecsSinceEpoch(round(1000 * seconds), Qt.TimeSpec.UTC) for _, seconds in begins]
     ends = [*times[1:], QDateTime()]
-    return {info.label: QgsDateTimeRange(begin, end, True, False) for info, begin, end in zip(infos, times, ends)}
+    return {label: QgsDateTimeRange(begin, end, True, False) for (label, _), begin, end in zip(begins, times, ends)}
 
 
 def set_project_time(project: QgsProject, result: Path) -> None:

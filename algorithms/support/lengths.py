@@ -14,6 +14,8 @@ SENSIBLE_DECIMALS = {
     Qgis.DistanceUnit.Inches: 3,
 }
 """Units that displacements are stated in, and the most decimals that mean anything in them."""
+UNKNOWN = "–"
+"""Stands for a length that is not known."""
 FACTOR, UNIT, DECIMALS = "tetratrack_factor", "tetratrack_unit", "tetratrack_decimals"
 """Variables of the project by which labels and map tips of the shipped styles write lengths."""
 
@@ -26,14 +28,16 @@ class LengthFormat:
     suffix: str
     decimals: int
 
-    def number(self, metres: float) -> str:
-        """The bare number."""
+    def number(self, metres: float | None) -> str:
+        """The bare number; a dash where a length is not known."""
+        if metres is None:
+            return UNKNOWN
         # adding zero turns the negative zero of small values into zero
         return f"{round(metres * self.factor, self.decimals) + 0.0:.{self.decimals}f}"
 
-    def text(self, metres: float) -> str:
-        """Number and unit."""
-        return f"{self.number(metres)} {self.suffix}"
+    def text(self, metres: float | None) -> str:
+        """Number and unit; a dash where a length is not known."""
+        return UNKNOWN if metres is None else f"{self.number(metres)} {self.suffix}"
 
 
 def length_format() -> LengthFormat:

@@ -62,11 +62,11 @@ def _drawing(curves: Sequence[dict[str, Any]], plan: tuple[float, float], visibl
         width = 3 if abs(curve["visible"] - visible) < 1e-9 else 1.5
         parts.append(f"<polyline points='{line}' fill='none' stroke='{colour}' stroke-width='{width}'/>")
         text = html.escape(tr("{share} % of a unit seen").format(share=f"{100 * curve['visible']:.0f}"))
-        y = TOP + 14 + 20 * k
+        row = TOP + 14 + 20 * k
         parts.append(
-            f"<line x1='{WIDTH - RIGHT + 14}' x2='{WIDTH - RIGHT + 38}' y1='{y}' y2='{y}' stroke='{colour}' stroke-width='{width}'/>"
+            f"<line x1='{WIDTH - RIGHT + 14}' x2='{WIDTH - RIGHT + 38}' y1='{row}' y2='{row}' stroke='{colour}' stroke-width='{width}'/>"
         )
-        parts.append(f"<text x='{WIDTH - RIGHT + 44}' y='{y + 4}'>{text}</text>")
+        parts.append(f"<text x='{WIDTH - RIGHT + 44}' y='{row + 4}'>{text}</text>")
     x, y = place(*plan)
     parts.append(f"<circle cx='{x:.1f}' cy='{y:.1f}' r='6' fill='#c62828' stroke='#fff' stroke-width='2'/>")
     parts.append(f"<text x='{x + 10:.1f}' y='{y - 8:.1f}' font-weight='bold'>{html.escape(lengths.text(plan[1]))}</text>")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from functools import partial
 
 from .translation import tr
 
@@ -29,7 +30,7 @@ class Wording:
     def __call__(self, message: str) -> str:
         """The message with the names the user knows."""
         for path, name in self.tables.items():
-            message = re.sub(rf"{re.escape(path)}(?:, line (\d+))?", lambda found, name=name: _table_place(name, found[1]), message)
+            message = re.sub(rf"{re.escape(path)}(?:, line (\d+))?", partial(_table_place, name), message)
         if self.survey:
             place = rf"{re.escape(self.survey)}(?:, line (\d+))?(?:, column \d+)?(?:, section \w+)?"
             message = re.sub(place, lambda found: self._section(found[1]), message)
@@ -41,7 +42,8 @@ class Wording:
         return next((name for first, name in reversed(self.sections) if first <= int(line)), self.sections[0][1])
 
 
-def _table_place(name: str, line: str | None) -> str:
+def _table_place(name: str, found: re.Match[str]) -> str:
+    line = found[1]
     if line is None:
         return name
     # the first line of the file holds the names of the fields

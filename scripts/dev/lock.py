@@ -186,10 +186,9 @@ def missing(names: set[str], versions: dict[str, str]) -> set[str]:
 def licence(name: str) -> str:
     """Licence of an installed package in a few words."""
     about = metadata.metadata(name)
-    stated = about.get("License-Expression")
-    if not stated:
-        classes = [line.rsplit(" :: ", 1)[1] for line in about.get_all("Classifier") or [] if line.startswith("License :: ")]
-        stated = ", ".join(classes) or str(about.get("License") or "not stated")
+    expressions = about.get_all("License-Expression", [])
+    classes = [line.rsplit(" :: ", 1)[1] for line in about.get_all("Classifier", []) if line.startswith("License :: ")]
+    stated = ", ".join(expressions or classes or about.get_all("License", [])) or "not stated"
     return " ".join(stated.split())[:80]
 
 

@@ -61,7 +61,7 @@ def main() -> None:
         parameter.setPosition(QPointF(150, 80 + 90 * number))
         model.addModelParameter(definition, parameter)
     epoch = {name: given(name) for name in ("TILES", "UNIT", "HEIGHT", "EPOCH", "CRS")}
-    steps = (
+    steps: tuple[tuple[str, str, dict[str, list[QgsProcessingModelChildParameterSource]], dict[str, str]], ...] = (
         ("segment", "segmenttetrapods", epoch, {}),
         ("fit", "fittetrapods", epoch | {"INPUT": made("segment", "UNITS")}, {"UNITS": "Units"}),
         ("features", "extractfeaturepoints", {"INPUT": made("fit", "UNITS")}, {"OUTPUT": "Feature points"}),

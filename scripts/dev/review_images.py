@@ -63,10 +63,12 @@ def main(theme: str, width: int, height: int, folder: Path, language: str = "") 
         dock.follow.setChecked(False)
         dock.open(path)
         dock.zoom_to_all()
-        worst = [dock.store.shown(k).unit_id for k in range(4)]
-        for unit, decision in zip((worst[0], worst[2], worst[1]), ("inspect", "rejected", "accepted"), strict=True):
-            dock.store.select([unit])
-            dock.decide(decision)
+        store = dock.store
+        if store is None:
+            raise SystemExit(dock.status.text())
+        for rank, command in ((0, "inspect"), (2, "rejected"), (1, "accepted")):
+            store.select([store.shown(rank).unit_id])
+            dock.run_command(command)
         dock.decisions.reviewer.setText("B. Sato")
         dock.confirm()
         settle(application)

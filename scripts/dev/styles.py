@@ -273,6 +273,8 @@ def styled(name: str) -> QgsVectorLayer:
     from tetratrack.core.results.added_layers import known_layer
 
     described = known_layer(name)
+    if described is None:
+        raise ValueError(f"no result has a layer {name!r}")
     kinds = {"text": "string", "integer": "integer", "real": "double", "boolean": "boolean", "datetime": "datetime"}
     fields = "&".join(f"field={f.name}:{kinds[f.type]}" for f in described.fields)
     geometry = "NoGeometry" if described.geometry == "none" else described.geometry

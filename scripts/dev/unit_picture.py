@@ -26,7 +26,7 @@ def draw(survey_path: Path, result: Path, unit_id: str, output: Path) -> None:
     rows = read_layer_rows(result, "units")
     unit = next(row for row in rows if row["unit_id"] == unit_id)
     features = [row for row in read_layer_rows(result, "feature_points") if row["unit_id"] == unit_id]
-    shape = shape_of(unit, survey.unit.leg_length)
+    shape = shape_of(unit)
     if shape is None:
         raise SystemExit(f"{unit_id} has no pose")
     e, n, _ = shape.centre

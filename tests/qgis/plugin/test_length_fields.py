@@ -14,6 +14,7 @@ from synthetic_result import write_result
 from tetratrack.algorithms.support import length_fields
 from tetratrack.algorithms.support.field_titles import field_title
 from tetratrack.algorithms.support.layers import STYLES, apply_style, has_style, name_added_layers, name_fields
+from tetratrack.algorithms.support.lengths import length_format
 from tetratrack.core.results.added_layers import ADDED
 from tetratrack.core.results.comparison_layers import COMPARISON_LAYERS
 from tetratrack.core.results.schema import LAYERS
@@ -55,6 +56,11 @@ def cells(model: QgsAttributeTableModel, field: str) -> dict[int, str]:
     """What the column of a field says, by feature."""
     column = model.fieldCol(model.layer().fields().lookupField(field))
     return {model.rowToId(row): model.index(row, column).data() for row in range(model.rowCount())}
+
+
+def test_a_length_that_is_not_known_is_a_dash() -> None:
+    assert (length_format().text(None), length_format().number(None)) == ("–", "–")
+    assert length_format().text(0.0) == "0.000 m"
 
 
 @pytest.mark.parametrize(

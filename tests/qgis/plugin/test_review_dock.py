@@ -390,6 +390,20 @@ def test_three_clicks_in_the_view_pin_the_pose(dock: ReviewDock, result: tuple[P
     assert "Taken back" in dock.status.text()
 
 
+@pytest.mark.parametrize(("kind", "clicks"), [("pin", 3), ("refit", 1), ("pick", 1)])
+def test_a_unit_deselected_while_picking_is_asked_for(
+    dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]], kind: str, clicks: int
+) -> None:
+    unit = next(u for u in result[1] if u.fate == "stable")
+    dock.store.select([unit.unit_id])
+    dock.corrections.start_picking(kind, 1)
+    dock.store.select([])
+    for place in features_of(unit, 1)[1 : 1 + clicks]:
+        dock.corrections.add_pick(place)
+    assert dock.status.text() == "Select a unit first."
+    assert read_edits(dock.store.path) == []
+
+
 def test_click_in_the_plan_picks_the_point_under_the_cursor(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
     unit = next(u for u in result[1] if u.fate == "stable")
     dock.store.select([unit.unit_id])
