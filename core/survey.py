@@ -1,5 +1,5 @@
-"""Door for the scripts of users: ``read_survey``, which the house itself takes from ``core.data.survey``."""
+"""Door for the scripts of users: ``read_survey``, which the house itself takes from ``core.data.survey_reader``."""
 
-from .data.survey import read_survey
+from .data.survey_reader import read_survey
 
 __all__ = ["read_survey"]

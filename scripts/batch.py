@@ -18,7 +18,7 @@ from ..core.common.errors import Cancelled, InputError, TetratrackError
 from ..core.common.feedback import Feedback
 from ..core.common.output_files import check_targets
 from ..core.data.las_files import checksum
-from ..core.data.survey import read_survey
+from ..core.data.survey_reader import read_survey
 from .console import BAD_INPUT, DONE, INTERRUPTED
 
 SETTLED_SECONDS = 5.0

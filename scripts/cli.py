@@ -160,7 +160,7 @@ def inspect(
     def step(console: Console) -> dict[str, Any]:
         from ..core.data.file_patterns import given_paths
         from ..core.data.folder_epochs import given_tiles
-        from ..core.data.survey import read_survey
+        from ..core.data.survey_reader import read_survey
         from ..core.pipeline.inspection import run_inspect
 
         feedback = Feedback(console.progress, console.info, console.warning)
@@ -189,7 +189,7 @@ def segment(
     """Find the units of every epoch: approximate poses, in the frame of the epoch's cloud."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.data.survey import read_survey
+        from ..core.data.survey_reader import read_survey
         from ..core.pipeline.run_options import RunOptions
         from ..core.pipeline.whole_survey import run_segment
 
@@ -216,7 +216,7 @@ def fit(
     """Adjust every unit to its points (Gauss-Helmert), in the frame of the epoch's cloud."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.data.survey import read_survey
+        from ..core.data.survey_reader import read_survey
         from ..core.pipeline.run_options import RunOptions
         from ..core.pipeline.whole_survey import run_fit
 
@@ -252,7 +252,7 @@ def register(
     """Register every epoch's cloud to survey control."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.data.survey import read_survey
+        from ..core.data.survey_reader import read_survey
         from ..core.pipeline.run_options import RunOptions
         from ..core.pipeline.whole_survey import run_register
 
@@ -493,7 +493,7 @@ def relief(
     """Shaded relief of every epoch from above, as GeoTIFF."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.data.survey import read_survey
+        from ..core.data.survey_reader import read_survey
         from ..core.pipeline.relief import run_relief
 
         return run_relief(read_survey(survey), output, feedback)
@@ -683,7 +683,7 @@ def unit_points(
     """Index the points around the units of a result, so that the review shows them at once."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.data.survey import read_survey
+        from ..core.data.survey_reader import read_survey
         from ..core.pipeline.refit import index_unit_points
         from ..core.results.field_checks import foreign_contents
 
@@ -705,7 +705,7 @@ def label_tiles(
     """Write the tiles again as LAZ with the number of each point's unit in a dimension unit_id."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.data.survey import read_survey
+        from ..core.data.survey_reader import read_survey
         from ..core.pipeline.labelled_tiles import write_labelled_tiles
         from ..core.results.field_checks import foreign_contents
 

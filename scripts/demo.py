@@ -21,7 +21,7 @@ def run_demo(folder: Path, workers: int, feedback: Feedback) -> dict[str, Any]:
     InputError
         The folder cannot be written.
     """
-    from ..core.data.survey import read_survey
+    from ..core.data.survey_reader import read_survey
     from ..core.pipeline.run_options import RunOptions
     from ..core.pipeline.whole_survey import run_survey
     from ..core.report.report import ReportOptions, write_report

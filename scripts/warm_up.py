@@ -16,7 +16,7 @@ import numpy as np
 from ..core.adjustment.adjustment_records import AdjustmentOptions
 from ..core.adjustment.gauss_helmert import adjust
 from ..core.common.feedback import Feedback
-from ..core.data.survey import read_survey
+from ..core.data.survey_reader import read_survey
 from ..core.model.pose import Pose
 from ..core.model.tetrapod import sample_surface
 from ..core.model.unit_types import UnitType

@@ -87,7 +87,7 @@ def tiny(repository: Path) -> Path:
 def result(tiny: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Result of a whole run on the tiny survey."""
     from tetratrack.core.common.feedback import Feedback
-    from tetratrack.core.data.survey import read_survey
+    from tetratrack.core.data.survey_reader import read_survey
     from tetratrack.core.pipeline.run_options import RunOptions
     from tetratrack.core.pipeline.whole_survey import run_survey
 

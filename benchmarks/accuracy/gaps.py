@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 from tetratrack.benchmarks.ground_truth import CENTRE_TOLERANCE, unit_rows
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.epoch_plans import plan_survey
 from tetratrack.core.pipeline.epoch_quality import ACCEPTED
 from tetratrack.core.pipeline.epoch_registration import register_epochs

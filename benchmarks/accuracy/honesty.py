@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.run_options import RunOptions
 from tetratrack.core.pipeline.whole_survey import run_survey
 from tetratrack.core.simulation.survey_plan import plan_of

@@ -27,7 +27,8 @@ from tetratrack.benchmarks.accuracy.poor_copies import Poverty, points_per_squar
 from tetratrack.benchmarks.ground_truth import BINS, EpochCloud, match, point_labels, read_epoch, recall_by_visibility
 from tetratrack.core.adjustment.expectation import DENSITIES, NOISES
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import Survey, read_survey
+from tetratrack.core.data.survey import Survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.pipeline.run_options import RunOptions

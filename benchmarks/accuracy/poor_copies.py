@@ -17,7 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from tetratrack.benchmarks.ground_truth import point_labels, read_epoch
-from tetratrack.core.data.survey import Survey, read_survey
+from tetratrack.core.data.survey import Survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.model.tetrapod import surface_cells
 from tetratrack.core.segmentation.surface_elements import surface_elements
 

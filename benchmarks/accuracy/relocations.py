@@ -22,7 +22,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 from tetratrack.benchmarks.ground_truth import CENTRE_TOLERANCE, unit_rows
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.run_options import RunOptions
 from tetratrack.core.pipeline.whole_survey import run_survey
 from tetratrack.core.results.geopackage_reader import read_layer_rows

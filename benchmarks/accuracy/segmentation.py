@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 from tetratrack.benchmarks.ground_truth import BINS, COUNTED, match, read_epoch, recall_by_visibility
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 
 PEERS = ("ppf", "fpfh", "fpfh-true", "cloudcompare")
 SCORE_STEPS = (0.0, 0.25, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)

@@ -23,7 +23,7 @@ from typing import Any
 
 import laspy
 import numpy as np
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.epoch_plans import plan_survey
 from tetratrack.core.simulation.survey_plan import SimulationPlan
 from tetratrack.core.simulation.virtual_survey import simulate_survey

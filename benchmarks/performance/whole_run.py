@@ -17,7 +17,7 @@ from pathlib import Path
 from tetratrack.benchmarks.accuracy.segmentation import floor, isolated
 from tetratrack.benchmarks.performance.record import add_to_record
 from tetratrack.benchmarks.performance.scale import run
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 
 
 def main() -> None:

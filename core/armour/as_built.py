@@ -16,7 +16,8 @@ from ..model.facets import Facets, facets
 from ..model.outline import PlacedShape
 from ..model.unit_types import UnitType
 from ..results.geopackage_reader import ResultCrs, Row, crs_of, read_layer_rows
-from ..results.unit_rows import EpochInfo, read_epochs, shape_of, unit_of, unit_sizes
+from ..results.unit_rows import EpochInfo, read_epochs, unit_sizes
+from ..results.unit_sizes import shape_of, unit_of
 
 SIDES = 24
 """Faces around a leg of an exported unit."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..model.outline import PlacedShape
 from ..model.unit_types import UnitType
-from ..results.unit_rows import UnitSize, shape_of
+from ..results.unit_sizes import UnitSize, shape_of
 from .placement import UnitPlacement, placement_of_units
 
 Row = Mapping[str, Any]

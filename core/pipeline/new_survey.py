@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
@@ -11,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 
-from ..common.arrays import FloatArray
 from ..common.atomic_files import replace_durably, temporary_beside
 from ..common.errors import CrsError, InputError, OutputError
 from ..common.feedback import Feedback
@@ -19,21 +17,15 @@ from ..data.crs import LOCAL, check_survey_crs
 from ..data.folder_epochs import CLOUDS, FoundEpoch, FoundTile, find_tiles, group_epochs, share_in_common
 from ..data.plausibility import Place, check_scale
 from ..data.recognised_tables import FoundTable, Role, assign, find_tables, recognise
-from ..data.survey import Ring, Survey, read_survey
+from ..data.survey import Survey
 from ..data.survey_draft import FIRST_LINE, DraftEpoch, DraftUnit, SurveyDraft, draft_text
-from ..data.tiles import TileInfo, inspect_tile
-from ..model.unit_types import catalogue
+from ..data.survey_reader import read_survey
+from ..data.tiles import TileInfo
 from ..results.geopackage_writer import check_output
-from ..segmentation.unit_size import FoundSize, estimate_everywhere
-from .cloud_sample import sample_points
-from .no_units import why_no_units
+from .drafted_units import counted, draft_units
 
 LEAST_OVERLAP = 0.05
 """Share of the smaller extent that two epochs must have in common to be compared."""
-CATALOGUE_NEAR = 0.012
-"""A catalogue unit whose height differs by less is named beside the estimate."""
-ASTRAY = 0.05
-"""Share of the units of a size that may stand among those of another: what was taken for a unit there and is none."""
 PLAIN_NAMES = ("tiles", "las", "laz", "pointclouds", "point_clouds", "clouds", "data")
 """Folders called so are named after what holds them."""
 ASSUMED_SD = 0.005
@@ -85,7 +77,7 @@ def draft_survey(folders: Sequence[Path], given: Given, feedback: Feedback, *, s
     found = find_tiles(folders, feedback.part(0, 0.1).progress)
     epochs = group_epochs(found)
     for epoch in epochs:
-        feedback.info(f"epoch {epoch.label}: {_counted(len(epoch.tiles), 'tile')}, {epoch.time:%Y-%m-%d %H:%M} UTC ({epoch.reason})")
+        feedback.info(f"epoch {epoch.label}: {counted(len(epoch.tiles), 'tile')}, {epoch.time:%Y-%m-%d %H:%M} UTC ({epoch.reason})")
     local = _crs(found, given.crs)[0] == LOCAL
     tables, notes = recognise(find_tables(folders), _whole_extent(epochs), local=local)
     labels = [epoch.label for epoch in epochs]
@@ -148,7 +140,7 @@ def _draft(
     warnings += [*_epoch_warnings(epochs), *notes]
     drafts = tuple(_epoch(epoch, mine, tiles_crs) for epoch, mine in zip(epochs, tables, strict=True))
     if size or given.height is not None:
-        units, unit_questions, unit_warnings = _units(epochs, crs, tiles_crs, given.height, feedback)
+        units, unit_questions, unit_warnings = draft_units(epochs, crs, tiles_crs, given.height, feedback)
     else:
         units, unit_questions, unit_warnings = (DraftUnit(height=None, reasons={"height": "not estimated yet"}),), [], []
     return SurveyDraft(
@@ -160,10 +152,6 @@ def _draft(
         questions=(*crs_questions, *unit_questions),
         warnings=(*warnings, *unit_warnings),
     )
-
-
-def _counted(count: int, what: str) -> str:
-    return f"{count} {what}{'' if count == 1 else 's'}"
 
 
 def _name(places: Sequence[Path]) -> str:
@@ -193,7 +181,7 @@ def _crs(tiles: Sequence[FoundTile], given: str | None) -> tuple[str, str, list[
     if len(known) > 1 and LOCAL in known:
         questions.append(f"some tiles are in a local frame, others in {next(c for c in known if c != LOCAL)}: keep one kind in a survey")
     if without:
-        questions.append(f"{_counted(len(without), 'tile')} ({without[0]}, …) declare no CRS: if they are in {crs}, give --crs {crs}")
+        questions.append(f"{counted(len(without), 'tile')} ({without[0]}, …) declare no CRS: if they are in {crs}, give --crs {crs}")
     others = f"; {len(known) - 1} other in the tiles, transformed" if len(known) > 1 else ""
     short = crs if len(crs) < 40 else "user-defined"
     return crs, f"from the tiles' headers ({short}){others}", questions, None
@@ -246,7 +234,7 @@ def _tile_warnings(epoch: FoundEpoch) -> list[str]:
     ]
     if shared:
         out.append(
-            f"{epoch.label}: {_counted(len(shared), 'pair')} of tiles cover the same ground, such as {shared[0][1]} and {shared[0][0]}"
+            f"{epoch.label}: {counted(len(shared), 'pair')} of tiles cover the same ground, such as {shared[0][1]} and {shared[0][0]}"
         )
     return out
 
@@ -271,7 +259,7 @@ def _epoch(found: FoundEpoch, mine: Mapping[Role, FoundTable], tiles_crs: str | 
     if control is not None and targets is not None:
         common = len(control.points & targets.points)
         values |= {"control": control.path, "targets": targets.path}
-        reasons |= {"control": control.reason, "targets": f"{targets.reason}; {_counted(common, 'name')} in common with the control"}
+        reasons |= {"control": control.reason, "targets": f"{targets.reason}; {counted(common, 'name')} in common with the control"}
         if control.unit != "m":
             values["control_unit"] = control.unit
         if control.swapped:
@@ -301,112 +289,6 @@ def _epoch(found: FoundEpoch, mine: Mapping[Role, FoundTable], tiles_crs: str | 
         crs=", ".join(sorted({tile.crs for tile in found.tiles if tile.crs})),
         footprint=tuple(_flat(tile) for tile in found.tiles),
     )
-
-
-def _units(
-    epochs: Sequence[FoundEpoch], crs: str, tiles_crs: str | None, height: float | None, feedback: Feedback
-) -> tuple[tuple[DraftUnit, ...], list[str], list[str]]:
-    """Types of unit, questions, warnings."""
-    if height is not None:
-        return (DraftUnit(height=height, reasons={"height": "given"}),), [], []
-    if not crs:
-        return (DraftUnit(height=None, reasons={"height": "estimated once the CRS is known"}),), [], []
-    tiles = [inspect_tile(tile.path, crs, undeclared_crs=tiles_crs) for tile in epochs[0].tiles]
-    points, origin = sample_points(tiles, crs, is_cancelled=feedback.is_cancelled)
-    feedback.info(
-        f"size of the units: looking at {len(points)} points of epoch {epochs[0].label}; the first time, programs are compiled: a minute"
-    )
-    sizes = estimate_everywhere(points, progress=feedback.progress)
-    if not sizes:
-        reason = why_no_units(points)
-        question = f"no tetrapods were found: {reason}"
-        return (DraftUnit(height=None, reasons={"height": "give it with --height"}),), [question], []
-    for size in sizes:
-        feedback.info(f"units of {_stated(size)}: {_evidence(size)}")
-    areas = unit_areas(sizes, points, origin)
-    warnings = []
-    if len(sizes) > 1 and areas is None:
-        warnings.append("units of several sizes lie among each other: give each [[unit]] an area, or keep the size you want")
-    units = tuple(_unit(size, areas[k] if areas else None) for k, size in enumerate(sizes))
-    questions = [_question(size) for size in sizes if not size.sure]
-    return units, questions, warnings
-
-
-def _unit(size: FoundSize, area: Ring | None) -> DraftUnit:
-    unit = size.unit
-    height = _rounded(unit.height, size.uncertainty)
-    near = min(catalogue().values(), key=lambda other: abs(other.height / unit.height - 1))
-    named = f"; near {near.name} ({near.height:.2f} m)" if abs(near.height / unit.height - 1) < CATALOGUE_NEAR else ""
-    reasons = {"height": f"estimated from the cloud: {_evidence(size)}{named}", "area": "where units of this size were found"}
-    if size.standard and not size.noisy:
-        return DraftUnit(height=height, area=area, reasons=reasons)
-    reasons["calibrate"] = (
-        "the points are too noisy to tell the proportions at once" if size.noisy else "proportions differ from the standard"
-    )
-    shape = {} if size.noisy else {"radius": unit.radius, "gradient": unit.gradient}
-    return DraftUnit(height=height, calibrate=True, area=area, reasons=reasons, **shape)
-
-
-def _rounded(height: float, uncertainty: float) -> float:
-    """The height with as many digits as it is known to."""
-    digits = max(0, -math.floor(math.log10(max(uncertainty, 1e-6))))
-    return round(height, digits)
-
-
-def _stated(size: FoundSize) -> str:
-    return f"{size.unit.height:.3g} m height"
-
-
-def _evidence(size: FoundSize) -> str:
-    low, high = size.unit.height - size.uncertainty, size.unit.height + size.uncertainty
-    return f"{_counted(size.trial.units, 'unit')} stand out, height between {low:.4g} and {high:.4g} m"
-
-
-def _question(size: FoundSize) -> str:
-    choices = [f"{size.unit.height:.3g} m ({_evidence(size)})"]
-    choices += [f"{rival.height:.3g} m ({_counted(rival.units, 'unit')})" for rival in size.rivals]
-    return f"the size of the units is not sure; give one with --height: {', '.join(choices)}"
-
-
-def unit_areas(sizes: Sequence[FoundSize], points: FloatArray, origin: FloatArray) -> list[Ring] | None:
-    """Rectangles that part sizes which lie apart, absolute positions; None for one size, or where they lie among each other."""
-    if len(sizes) == 1:
-        return None
-    low, high = points[:, :2].min(axis=0), points[:, :2].max(axis=0)
-    margin = 3 * max(size.unit.height for size in sizes)
-    boxes = [[low - margin, high + margin] for _ in sizes]
-    for a in range(len(sizes)):
-        for b in range(a):
-            parted = _parted(sizes[a].centres, sizes[b].centres)
-            if parted is None:
-                return None
-            axis, cut, in_order = parted
-            first, second = (a, b) if in_order else (b, a)
-            boxes[first][1] = np.where(np.arange(2) == axis, np.minimum(boxes[first][1], cut), boxes[first][1])
-            boxes[second][0] = np.where(np.arange(2) == axis, np.maximum(boxes[second][0], cut), boxes[second][0])
-    rings: list[Ring] = []
-    for south_west, north_east in boxes:
-        w, s = (float(x) for x in south_west + origin[:2])
-        e, n = (float(x) for x in north_east + origin[:2])
-        rings.append(((w, s), (e, s), (e, n), (w, n)))
-    return rings
-
-
-def _parted(a: FloatArray, b: FloatArray) -> tuple[int, float, bool] | None:
-    """Coordinate and value that part two groups of units but for single ones, and whether the first lies below; None where none does."""
-    best: tuple[int, float, int, float, bool] | None = None
-    for axis in (0, 1):
-        for in_order, below, above in ((True, a[:, axis], b[:, axis]), (False, b[:, axis], a[:, axis])):
-            places = np.unique(np.concatenate([below, above]))
-            for before, after in pairwise(places):
-                cut = 0.5 * (before + after)
-                wrong = int((below > cut).sum()), int((above < cut).sum())
-                if wrong[0] > ASTRAY * len(below) or wrong[1] > ASTRAY * len(above):
-                    continue
-                # fewest on the wrong side, then the widest gap
-                found = (sum(wrong), before - after, axis, float(cut), in_order)
-                best = found if best is None else min(best, found)
-    return None if best is None else (best[2], best[3], best[4])
 
 
 def write_draft(draft: SurveyDraft, path: Path) -> None:

@@ -25,7 +25,8 @@ from ..model.unit_types import UnitType
 from ..registration.frame_correction import FrameCorrection
 from ..registration.transformation import mean_offset_variance, transformation_of
 from ..results.geopackage_reader import read_layer_rows
-from ..results.unit_rows import EpochInfo, epochs_of, read_epochs, unit_of, unit_sizes
+from ..results.unit_rows import EpochInfo, epochs_of, read_epochs, unit_sizes
+from ..results.unit_sizes import unit_of
 from ..review.corrections import set_pose
 from ..review.point_index import PointIndex, index_folder, write_index
 from ..review.pose_consequences import NewPose

@@ -26,7 +26,8 @@ from ..results.geopackage_writer import check_output, from_upper_triangle, write
 from ..results.result_access import REQUIRED
 from ..results.run_record import record_run
 from ..results.schema import LAYERS
-from ..results.unit_rows import read_epochs, size_of, unit_sizes
+from ..results.unit_rows import read_epochs, unit_sizes
+from ..results.unit_sizes import size_of
 from ..review.decisions import settle_decisions
 from .epoch_alignment import align_epochs
 from .epoch_plans import plan_survey

@@ -28,16 +28,15 @@ from ..results.unit_rows import (
     EpochInfo,
     UnitDetails,
     UnitRow,
-    UnitSize,
     check_comparisons,
     read_details,
     read_epochs,
     read_unit_rows,
     series,
-    shape_of,
     shift_to_datum,
     unit_sizes,
 )
+from ..results.unit_sizes import UnitSize, shape_of
 from ..review.corrections import UnitEdit, placeholders, read_edits
 from ..review.decisions import Review, read_reviews
 from ..review.point_index import PointIndex, index_folder

@@ -13,7 +13,8 @@ from ..common.arrays import FloatArray
 from ..model.outline import PlacedShape
 from ..model.unit_types import UnitType
 from ..results.geopackage_reader import EpochPair
-from ..results.unit_rows import UnitRow, UnitSize
+from ..results.unit_rows import UnitRow
+from ..results.unit_sizes import UnitSize
 from .damage import nominal_diameter_of
 from .figures import Translate
 from .movement_bands import Band, damage_state, movement_bands

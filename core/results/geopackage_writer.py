@@ -27,7 +27,7 @@ from .result_access import connect, reading
 from .result_replacement import put_in_place, quoted, rehearse, style_mark
 from .schema import LAYERS, Field, Layer
 from .unit_bodies import body_rows
-from .unit_rows import sizes_of_settings
+from .unit_sizes import sizes_of_settings
 
 Row = Mapping[str, Any]
 

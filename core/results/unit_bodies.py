@@ -10,7 +10,7 @@ import numpy as np
 from ..common.arrays import FloatArray
 from ..model.facets import facets, plan_outline
 from ..model.outline import PlacedShape
-from .unit_rows import UnitSize, shape_of
+from .unit_sizes import UnitSize, shape_of
 
 Row = Mapping[str, Any]
 

@@ -8,7 +8,7 @@ from collections.abc import Collection
 from ..results.geopackage_reader import encode_geometry, parse_settings, query, srs_of
 from ..results.schema import LAYERS
 from ..results.unit_bodies import body_rows
-from ..results.unit_rows import sizes_of_settings
+from ..results.unit_sizes import sizes_of_settings
 
 DELETE = {
     "unit_outlines": "DELETE FROM unit_outlines WHERE unit_id = ?",

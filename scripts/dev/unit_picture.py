@@ -10,11 +10,11 @@ from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.tiles import Window, inspect_tile, read_points
 from tetratrack.core.model.outline import silhouette
 from tetratrack.core.results.geopackage_reader import read_layer_rows
-from tetratrack.core.results.unit_rows import shape_of
+from tetratrack.core.results.unit_sizes import shape_of
 
 
 def draw(survey_path: Path, result: Path, unit_id: str, output: Path) -> None:

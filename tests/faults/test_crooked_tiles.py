@@ -14,7 +14,7 @@ from tetratrack.core.common.errors import CrsError, InputError
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.crs import parse_crs
 from tetratrack.core.data.occupancy import Occupancy, common_height_shift, stray_cells
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.tiles import inspect_tile, read_points
 from tetratrack.core.pipeline.epoch_plans import EpochPlan, plan_survey
 from tetratrack.core.segmentation.unit_size import dense_windows

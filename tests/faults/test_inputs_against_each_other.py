@@ -13,7 +13,7 @@ from las_files import ORIGIN, grid_points, write_las
 from pyproj import Transformer
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.epoch_plans import plan_survey
 from tetratrack.core.pipeline.inspection import inspect_survey
 from tetratrack.core.pipeline.new_survey import Given, draft_survey

@@ -18,7 +18,7 @@ from las_files import grid_points, write_las
 from tetratrack.core.common.csv_text import spreadsheet_safe
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.data.point_tables import read_control
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.vector_files import check_vector_file
 from tetratrack.core.report.report import write_report
 from tetratrack.core.results.export import export_layers

@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 from las_files import grid_points, write_las
 from tetratrack.core.common.errors import TetratrackError
 from tetratrack.core.data.point_tables import read_control, read_targets
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.job_runner import load_arrays, save_arrays
 from tetratrack.core.report.alarms import write_alarms
 from tetratrack.core.results.geopackage_reader import SELECT_ALL, read_layer_rows

@@ -20,7 +20,7 @@ from tetratrack.core.model.outline import PlacedShape, reach, rotation_of_quater
 from tetratrack.core.results.geopackage_reader import add_indices, encode_geometry
 from tetratrack.core.results.schema import FEATURES, LAYERS
 from tetratrack.core.results.unit_bodies import body_rows
-from tetratrack.core.results.unit_rows import sizes_of_settings
+from tetratrack.core.results.unit_sizes import sizes_of_settings
 from tetratrack.core.review.point_index import index_folder, write_index
 
 HEIGHT, RADIUS, GRADIENT, LEG_LENGTH = 2.3, 0.60814, 0.17610, 1.48120

@@ -13,7 +13,7 @@ import numpy as np
 import open3d
 import pytest
 from las_files import grid_points, write_las
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.tiles import inspect_tile, read_points
 from tetratrack.scripts.cli import app
 from typer.testing import CliRunner

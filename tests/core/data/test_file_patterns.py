@@ -8,7 +8,7 @@ import pytest
 from crooked_las import write_survey
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.data.file_patterns import BrokenLink, existing_path, given_paths, matching_files
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 
 
 @pytest.fixture

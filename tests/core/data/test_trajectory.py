@@ -16,7 +16,7 @@ from tetratrack.core.adjustment.adjustment_records import AdjustmentOptions
 from tetratrack.core.adjustment.gauss_helmert import adjust
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.trajectory import BeamNoise, beam_covariances, read_stations, read_trajectory
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import sample_surface

@@ -12,7 +12,7 @@ from tetratrack.core.adjustment.shape_effects import cell_places, prior_surface,
 from tetratrack.core.adjustment.surface_estimation import mould_cells
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.data.mould_files import read_mould
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.model.mould import Mould, onto_cones
 from tetratrack.core.model.tetrapod import relate, sample_surface
 from tetratrack.core.model.unit_types import UnitType

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.labelled_tiles import write_labelled_tiles
 from tetratrack.core.results.unit_rows import read_epochs
 

@@ -7,7 +7,7 @@ import pytest
 from tetratrack.core.common.arrays import FloatArray
 from tetratrack.core.data.survey import inside
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.pipeline.new_survey import unit_areas
+from tetratrack.core.pipeline.drafted_units import unit_areas
 from tetratrack.core.segmentation.unit_size import FoundSize, SizeTrial
 
 ORIGIN = np.array([500_000.0, 3_500_000.0, 0.0])

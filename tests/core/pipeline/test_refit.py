@@ -14,7 +14,7 @@ import pytest
 from synthetic_result import GRADIENT, HEIGHT, LEG_LENGTH, ORIGIN, RADIUS, SRS, SyntheticUnit, make_units, write_points, write_result
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.trajectory import beam_covariances
 from tetratrack.core.model.outline import rotation_of_quaternion
 from tetratrack.core.model.pose import Pose

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.epoch_plans import plan_survey
 from tetratrack.core.pipeline.size_check import check_sizes
 

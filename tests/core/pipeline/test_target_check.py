@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tetratrack.core.data.survey import Survey, read_survey
+from tetratrack.core.data.survey import Survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.tiles import TileInfo, inspect_tile
 from tetratrack.core.pipeline.target_check import check_spacing
 from tetratrack.core.registration.target_spacing import BentSurvey

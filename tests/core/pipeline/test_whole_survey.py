@@ -19,7 +19,8 @@ import pytest
 from result_contents import contents
 from tetratrack.core.common.errors import Cancelled, InputError, OutputError
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import Survey, read_survey
+from tetratrack.core.data.survey import Survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.inspection import run_inspect
 from tetratrack.core.pipeline.run_options import RunOptions
 from tetratrack.core.pipeline.whole_survey import run_fit, run_segment, run_survey

@@ -16,7 +16,7 @@ from las_files import write_las
 from scipy.spatial.transform import Rotation
 from tetratrack.core.common.errors import CrsError, InputError
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.tiles import inspect_tile
 from tetratrack.core.deformation.epoch_pairs import common_prior
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch

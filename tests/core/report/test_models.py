@@ -11,7 +11,7 @@ import pytest
 from synthetic_result import LEG_LENGTH, SyntheticUnit, make_units, write_result
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.survey import read_survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.model.unit_types import UnitType

@@ -19,18 +19,8 @@ from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.results.geopackage_reader import EpochPair, decode_geometry, encode_line, encode_point, epoch_pairs, read_layer_rows
-from tetratrack.core.results.unit_rows import (
-    EpochInfo,
-    check_comparisons,
-    read_details,
-    read_epochs,
-    read_unit_rows,
-    series,
-    shape_of,
-    size_of,
-    unit_of,
-    unit_sizes,
-)
+from tetratrack.core.results.unit_rows import EpochInfo, check_comparisons, read_details, read_epochs, read_unit_rows, series, unit_sizes
+from tetratrack.core.results.unit_sizes import shape_of, size_of, unit_of
 from tetratrack.core.review.decisions import confirm, decide, read_history, read_reviews, undo
 from tetratrack.core.review.point_index import PointIndex, index_folder, write_index
 from tetratrack.plugin.review_store import ReviewStore

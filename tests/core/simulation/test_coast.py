@@ -15,7 +15,8 @@ pytest.importorskip("mujoco")
 import laspy
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.data.point_tables import read_targets
-from tetratrack.core.data.survey import Survey, read_survey
+from tetratrack.core.data.survey import Survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.simulation.bent_frames import FrameErrors, FrameOfEpoch

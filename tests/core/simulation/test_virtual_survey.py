@@ -15,7 +15,8 @@ pytest.importorskip("mujoco")
 
 import laspy
 from tetratrack.core.data.point_tables import read_control, read_targets
-from tetratrack.core.data.survey import Survey, read_survey
+from tetratrack.core.data.survey import Survey
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.trajectory import BeamNoise
 from tetratrack.core.model.feature_points import body_features
 from tetratrack.core.model.pose import Pose

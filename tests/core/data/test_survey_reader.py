@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 from tetratrack.core.common.errors import CrsError, InputError
-from tetratrack.core.data.survey import inside, read_survey
+from tetratrack.core.data.survey import inside
 from tetratrack.core.data.survey_keys import SECTIONS, template
+from tetratrack.core.data.survey_reader import read_survey
 
 GOOD = """[survey]
 name = "site"
