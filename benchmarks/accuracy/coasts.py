@@ -3,10 +3,10 @@
     .venv/bin/python benchmarks/accuracy/coasts.py [--seeds 101 102] [--kinds uav tls_short] [--length 100] [--density 300]
     .venv/bin/python benchmarks/accuracy/coasts.py --folder SURVEY --result FILE.gpkg
 
-Columns: centres of units in the control frame (RMSE, mm); in both datums RMSE of resting units' displacements (mm), mean squared
-normalised error per coordinate (1 is honest), resting units flagged (%), and moves of 2 cm or more found; resting stretches called
-significant in both datums, of how many; targets excluded in epochs before the last, which are all good, and in the last, where one was
-knocked by twelve times the deviation of a target.
+Columns: centres of units in the control frame (RMSE, mm, and mean squared normalised error per coordinate, 1 is honest); in both datums
+RMSE of resting units' displacements (mm), the same error, resting units flagged (%), and moves of 2 cm or more found; resting stretches
+called significant in both datums, of how many; targets excluded in epochs before the last, which are all good, and in the last, where
+one was knocked by twelve times the deviation of a target.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ KINDS = {
 def line_of(name: str, folder: Path, result: Path) -> str:
     """Figures of one coast."""
     names, counts = matched(result, folder)
-    parts = [name, str(counts[0]), f"{centre_rmse(result, folder, names):.1f}"]
+    parts = [name, str(counts[0]), ", ".join(f"{value:.{digits}f}" for value, digits in zip(centres(result, folder, names), (1, 2)))]
     with sqlite3.connect(result) as connection:
         parts += [_displacements(connection, datum, folder, names) for datum in QUERIES]
         parts.append(_stretches(connection))
@@ -73,13 +73,15 @@ def line_of(name: str, folder: Path, result: Path) -> str:
     return " | ".join(parts)
 
 
-def centre_rmse(result: Path, folder: Path, names: dict[tuple[str, str], str]) -> float:
-    """Of all units that are right, millimetres."""
+def centres(result: Path, folder: Path, names: dict[tuple[str, str], str]) -> tuple[float, float]:
+    """Of all units that are right: RMSE in millimetres, and mean squared normalised error per coordinate."""
     true = {(name, epoch): centre for epoch, own in true_units(folder)[0].items() for name, centre in own}
     with sqlite3.connect(result) as connection:
-        rows = connection.execute("select unit_id, epoch, geom from feature_points where feature = 'centre'").fetchall()
-    away = [np.frombuffer(blob[-24:], dtype="<f8") - true[names[u, e], e] for u, e, blob in rows if (u, e) in names]
-    return 1000 * float(np.sqrt(np.mean(np.sum(np.square(away), axis=1))))
+        rows = connection.execute("select unit_id, epoch, geom, sd_e, sd_n, sd_h from feature_points where feature = 'centre'").fetchall()
+    known = [row for row in rows if (row[0], row[1]) in names]
+    away = np.array([np.frombuffer(blob[-24:], dtype="<f8") - true[names[u, e], e] for u, e, blob, *_ in known])
+    sds = np.array([row[3:] for row in known], dtype=np.float64)
+    return 1000 * float(np.sqrt(np.mean(np.sum(away**2, axis=1)))), float(np.mean((away / sds) ** 2))
 
 
 def _displacements(connection: sqlite3.Connection, datum: str, folder: Path, names: dict[tuple[str, str], str]) -> str:

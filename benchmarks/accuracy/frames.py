@@ -57,11 +57,12 @@ def judge(coast: BentCoast) -> dict[str, float]:
         return found | errors("stable", coast, part, spread, rigid.null.covariance(coast.covariances), rigid.p_values)
     control, precision = frames.between(0, 1)
     result, datum = elastic_congruence_of(
-        coast.displacements, coast.covariances, coast.places, control, precision, HEIGHT, frames.degrees, frames.jumped(0, 1, coast.places)
-    )
+        coast.displacements, coast.covariances, coast.places, control, precision, HEIGHT, frames.degrees,
+        frames.jumped(0, 1, coast.places), frames.controlled(0, 1),
+    )  # fmt: skip
     own = result.null.covariance(coast.covariances)
     stable = datum.stable.at(coast.places).without(coast.displacements, own, datum.used.astype(np.float64))
-    at_control = control.at(coast.places)
+    at_control = datum.control.at(coast.places)
     found |= errors("stable", coast, stable.means[:, :3], stable.covariances[:, :3, :3], own, result.p_values)
     return found | errors("control", coast, at_control.means[:, :3], at_control.covariances[:, :3, :3], own, result.control_p_values)
 

@@ -11,7 +11,6 @@ and an epoch without targets of its own stands in the frame of one that has some
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -24,6 +23,9 @@ from .epoch_frames import EpochFrames
 
 MOST_UNKNOWNS = 4600
 """Unknowns of a field up to which epochs are chained; beyond, each stands on its own targets."""
+
+MODEL_BENDS = 10.0
+"""Independent bends that the model's own size of errors is worth beside those that differences of epochs show."""
 
 Message = tuple[FloatArray, FloatArray]
 """Normal matrix and right-hand side of what another epoch says of a field."""
@@ -49,17 +51,15 @@ def chained_errors(frames: EpochFrames, data: Sequence[ElasticDatum | None]) -> 
     for k in range(len(alone) - 2, -1, -1):
         after[k] = _passed_on(alone[k + 1].informed(*after[k + 1]), data[k], -1.0)
     together = [own.informed(a[0] + b[0], a[1] + b[1]) for own, a, b in zip(alone, before, after, strict=True)]
-    # the size of the errors was learned from the differences of epochs; what all have in common is another draw of it, whose variance is
-    # that of t with as many degrees of freedom as the structure shows correlation lengths
-    unseen = 1 + 2 / frames.lengths if math.isinf(frames.degrees) else 1.0
-    return tuple(replace(field, covariance=field.covariance * unseen) for field in together)
+    factor = _size_of_positions(frames, data)
+    return tuple(replace(field, covariance=field.covariance * factor) for field in together)
 
 
 def _prior(frames: EpochFrames) -> FieldEstimate:
     """What is known of a frame without targets."""
     basis = frames.basis
     covariance = np.asarray(np.linalg.inv(basis.precision()), dtype=np.float64)
-    return FieldEstimate(basis, np.zeros(basis.size), covariance * frames.size)
+    return FieldEstimate(basis, np.zeros(basis.size), covariance)
 
 
 def _passed_on(known: FieldEstimate, datum: ElasticDatum | None, sign: float) -> Message:
@@ -70,3 +70,13 @@ def _passed_on(known: FieldEstimate, datum: ElasticDatum | None, sign: float) ->
     reach = np.linalg.inv(np.eye(size) + datum.information @ known.covariance)
     information = reach @ datum.information
     return 0.5 * (information + information.T), reach @ (datum.information @ known.mean + sign * datum.rhs)
+
+
+def _size_of_positions(frames: EpochFrames, data: Sequence[ElasticDatum | None]) -> float:
+    """Factor of the variance of positions: what the epochs share is another draw than their differences, and the model has its say too."""
+    weights, sizes = [MODEL_BENDS], [1.0]
+    for datum in data:
+        if datum is not None and datum.bends > 0:
+            weights.append(datum.bends)
+            sizes.append(datum.size)
+    return float(np.average(sizes, weights=weights))

@@ -128,6 +128,8 @@ class Congruence:
         The same in datum ``control``.
     control_degrees
         Degrees of freedom with which the frames' part of datum ``control`` is known.
+    control_factor
+        By which statistics of datum ``control`` are divided, so that their level is that of the units at rest.
     global_statistic, global_degrees, global_p_value
         Test that all units together kept their shape.
     common_statistic, common_p_value
@@ -145,6 +147,7 @@ class Congruence:
     control_statistics: FloatArray
     control_p_values: FloatArray
     control_degrees: float
+    control_factor: float
     global_statistic: float
     global_degrees: int
     global_p_value: float
@@ -226,6 +229,7 @@ p_values=p_values,
 control_statistics=control,
 control_p_values=f_p_value(control, pooled_degrees(effective, null.tail, frame, degrees)),
 control_degrees=degrees,
+control_factor=1.0,
 global_statistic=global_statistic,
 global_degrees=global_degrees,
 global_p_value=float(chdtrc(global_degrees, global_statistic)) if global_degrees else 1.0,

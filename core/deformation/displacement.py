@@ -15,7 +15,7 @@ from functools import cache
 
 import numpy as np
 from scipy.spatial.transform import Rotation
-from scipy.special import fdtrc
+from scipy.special import chdtrc, chdtri, fdtrc
 
 from ..common.arrays import FloatArray
 from ..common.noncentrality import noncentrality
@@ -115,12 +115,15 @@ class FramePart:
     carried
         (7, 7) covariance of the later epoch's registration; None without. Its turn and scale change a displacement by its length, and
         count where a unit was carried by metres.
+    factor
+        By which the statistic is divided, so that the level of the test is that of the units at rest.
     """
 
     motion: FloatArray
     covariance: FloatArray
     degrees: float
     carried: FloatArray | None = None
+    factor: float = 1.0
 
     def at(self, arms: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Shifts (k, 3) and their covariances (k, 3, 3) at (k, 3) ``arms`` from the unit's centre."""
@@ -165,7 +168,7 @@ def unit_motion(unit: UnitPair, null: NullModel, turn_null: NullModel, frame: Fr
         spread = spread + turned @ frame.carried[3:, 3:] @ np.swapaxes(turned, 1, 2)
     own_turn, turn_spread = turn_null.covariance(unit.turn_covariance), frame.covariance[3:, 3:]
     # the tests take a unit's own part for t distributed with that scale; what is stated is the variance of that distribution
-    statistics = quadratic(vectors, own + spread)
+    statistics = quadratic(vectors, own + spread) / frame.factor
     turn_statistic = angle @ np.linalg.solve(own_turn + turn_spread, angle)
     covariances = null.spread * own + spread
     turn_total = turn_null.spread * own_turn + turn_spread
@@ -180,14 +183,14 @@ def unit_motion(unit: UnitPair, null: NullModel, turn_null: NullModel, frame: Fr
         statistics=statistics,
         p_values=f_p_value(statistics, frame.degrees),
         turn_p_value=float(turn_null.p_value(np.array([turn_statistic]))[0]),
-        detectable=_detection_factor() * np.sqrt(np.linalg.eigvalsh(covariances)[:, -1]),
+        detectable=_detection_factor(frame.factor) * np.sqrt(np.linalg.eigvalsh(covariances)[:, -1]),
     )
 
 
 @cache
-def _detection_factor() -> float:
-    """Detectable displacement over the standard deviation in its direction."""
-    return math.sqrt(noncentrality(SIGNIFICANCE, POWER))
+def _detection_factor(factor: float) -> float:
+    """Detectable displacement over the standard deviation in its direction, by a test whose statistic is divided by a ``factor``."""
+    return math.sqrt(noncentrality(float(chdtrc(3, factor * chdtri(3, SIGNIFICANCE))), POWER))
 
 
 def adjusted_p_values(p_values: Sequence[float]) -> FloatArray:

@@ -12,7 +12,7 @@ explain itself. The null distribution of resting units is calibrated as in :mod:
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.special import chdtrc
@@ -22,6 +22,7 @@ from ..common.robust import t_weights
 from ..registration.frame_field import FieldEstimate, LocalMotions, information_of
 from ..registration.transformation import rigid_jacobian
 from .congruence import STABLE_LEVEL, Congruence, NullModel, calibrate, f_p_value, pooled_degrees, quadratic
+from .control_scale import ControlScale, scale_of_control
 
 ROUGH_SHARE = 0.002
 """Deviation over H that a unit may have beyond its covariance before the null distribution is known."""
@@ -42,6 +43,10 @@ class ElasticDatum:
         (n,) whether a unit took part in datum ``stable``.
     information, rhs
         Normal matrix and right-hand side of the units that did: what ``stable`` knows beyond ``control``.
+    size
+        Factor of the model's variance that the covariance of ``control`` holds; ``precision`` is that of the model.
+    bends
+        Independent bends that it was learned from; 0 where it was not.
     """
 
     control: FieldEstimate
@@ -50,6 +55,8 @@ class ElasticDatum:
     used: BoolArray
     information: FloatArray
     rhs: FloatArray
+    size: float
+    bends: float
 
 
 def elastic_congruence_of(
@@ -61,6 +68,7 @@ def elastic_congruence_of(
     scale: float,
     degrees: float,
     suspects: BoolArray,
+    controlled: bool,
 ) -> tuple[Congruence, ElasticDatum]:
     """Find the stable set, the datum as a field and the calibrated tests.
 
@@ -80,6 +88,8 @@ def elastic_congruence_of(
         Degrees of freedom of the registrations.
     suspects
         (n,) units of stretches that seem to have moved as one: the others speak first.
+    controlled
+        Whether both epochs have targets: resting units then show how far off these leave the frames.
     """
     basis = control.basis
     at_control = control.at(points)
@@ -112,10 +122,18 @@ def elastic_congruence_of(
             break
     effective = null.covariance(covariances)
     field, others = adjusted(stable.astype(np.float64), effective)
-    congruence = _summary(displacements, effective, points, stable, null, others, at_control, degrees)
+    resting = stable & ~suspects
+    known = ControlScale(size=1.0, factor=1.0, degrees=degrees, bends=0.0)
+    if controlled:
+        known = scale_of_control(control, points[resting], displacements[resting], effective[resting], null, degrees)
+    control = replace(control, covariance=control.covariance * known.size)
+    congruence = _summary(displacements, effective, points, stable, null, others, control.at(points), known)
     weights = np.asarray(np.linalg.inv(effective[stable]), dtype=np.float64)
     information, rhs = information_of(basis, points[stable], displacements[stable], weights)
-    datum = ElasticDatum(control=control, stable=field, precision=precision, used=stable, information=information, rhs=rhs)
+    datum = ElasticDatum(
+        control=control, stable=field, precision=precision, used=stable, information=information, rhs=rhs, size=known.size,
+        bends=known.bends,
+    )  # fmt: skip
     return congruence, datum
 
 
@@ -127,13 +145,13 @@ def _summary(
     null: NullModel,
     others: LocalMotions,
     at_control: LocalMotions,
-    degrees: float,
+    known: ControlScale,
 ) -> Congruence:
     """The pair's tests in the form that rigid frames have; motion is the rigid part of what the stable units share."""
     origin = points[stable].mean(axis=0) if stable.any() else np.zeros(3)
     statistics = quadratic(displacements - others.means[:, :3], effective + others.covariances[:, :3, :3])
     frame = at_control.covariances[:, :3, :3]
-    control = quadratic(displacements - at_control.means[:, :3], effective + frame)
+    control = quadratic(displacements - at_control.means[:, :3], effective + frame) / known.factor
     motion = np.zeros(7)
     if stable.sum() >= 3:
         design = rigid_jacobian(points[stable] - origin)[:, :, :6].reshape(-1, 6)
@@ -150,8 +168,9 @@ null=null,
 statistics=statistics,
 p_values=null.p_value(statistics),
 control_statistics=control,
-control_p_values=f_p_value(control, pooled_degrees(effective, null.tail, frame, degrees)),
-control_degrees=degrees,
+control_p_values=f_p_value(control, pooled_degrees(effective, null.tail, frame, known.degrees)),
+control_degrees=known.degrees,
+control_factor=known.factor,
 global_statistic=form,
 global_degrees=count,
 global_p_value=float(chdtrc(count, form)) if count else 1.0,

@@ -40,13 +40,8 @@ BEND_FACTORS = (0.5, 0.7, 1.0, 1.4, 2.0)
 """Factors of the targets' stated deviations, and of the bend between epochs, among which the targets of all epochs choose."""
 STATION_HEIGHTS = 4.0
 """Distance in heights of a unit within which targets stand together."""
-SIZE_CAUTION = 1.0
-LEAST_SIZE, MOST_SIZE = 0.35, 4.0
-"""Observations' worth of belief in the model's own size of what targets leave unknown, and bounds of the factor of its variance."""
 T5_SCALE = 1.2753
 """Variance of normal errors over the squared scale of the t distribution (three components, five degrees) likeliest for them."""
-LARGEST_MISFIT = 16.0
-"""Normalised square up to which one cell counts."""
 TARGET_CAUTION = 4.0
 """Factor of the stated deviations of targets while it is not known how well they were measured, and which are disturbed."""
 
@@ -65,12 +60,15 @@ class TargetShifts:
         (k, 3) registered cloud less surveyed coordinate, metres.
     variances
         (k, 3) stated, square metres.
+    offset_variance
+        Variance per axis of the mean offset of the epoch's strips or stations, which units have and targets do not, square metres.
     """
 
     ids: tuple[str, ...]
     positions: FloatArray
     residuals: FloatArray
     variances: FloatArray
+    offset_variance: float = 0.0
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -114,12 +112,8 @@ class EpochFrames:
     bendings
         By pair of epochs that follow each other: what its units show; None for too few of them.
     degrees
-        Degrees of freedom with which the size of the bend is known: stretches of a correlation length that the survey shows; inf where
-        units have shown how far off targets leave the frames.
-    size
-        Factor of the variance of ``errors``, held in their covariances already.
-    lengths
-        Correlation lengths that the structure is long, at least ``FEWEST_DEGREES``.
+        Degrees of freedom with which the size of the bend is known: correlation lengths that the structure is long, at least
+        ``FEWEST_DEGREES``.
     """
 
     model: FieldModel
@@ -130,8 +124,6 @@ class EpochFrames:
     noise_factor: float
     bendings: tuple[Bending | None, ...]
     degrees: float
-    size: float
-    lengths: float
 
     def jumped(self, first: int, second: int, places: FloatArray) -> BoolArray:
         """(k,) which of (k, 3) places lie on a stretch that moved as one in some pair between two epochs."""
@@ -142,18 +134,18 @@ class EpochFrames:
         return inside
 
     def between(self, first: int, second: int) -> tuple[FieldEstimate, FloatArray]:
-        """Difference of two epochs as targets see it, the prior where one has none, and inverse of the covariance that units add to.
-
-        How far targets are off is learned from the units themselves, so that the covariance to which they add is that of the model.
-        """
+        """Difference of two epochs as targets see it, the prior where one has none, and the inverse of its covariance."""
         a, b = self.errors[first], self.errors[second]
         if a is None or b is None:
             precision = self.basis.scaled_by(math.sqrt(2)).precision()
             covariance = np.asarray(np.linalg.inv(precision), dtype=np.float64)
             return FieldEstimate(self.basis, np.zeros(self.basis.size), covariance), precision
         covariance = a.covariance + b.covariance
-        precision = np.asarray(np.linalg.inv(covariance / self.size), dtype=np.float64)
-        return FieldEstimate(self.basis, b.mean - a.mean, covariance), precision
+        return FieldEstimate(self.basis, b.mean - a.mean, covariance), np.asarray(np.linalg.inv(covariance), dtype=np.float64)
+
+    def controlled(self, first: int, second: int) -> bool:
+        """Whether targets tell the frames of both epochs."""
+        return self.errors[first] is not None and self.errors[second] is not None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -196,7 +188,7 @@ def estimate_frames(
     changes = _changes_unlike_the_ground(pairs, targets, bendings, basis, noise, height)
     basis = basis.scaled_by(bend)
     precision = basis.precision()
-    degrees = lengths = max(float(np.ptp(model.scaled(places)[:, 0])), FEWEST_DEGREES)
+    degrees = max(float(np.ptp(model.scaled(places)[:, 0])), FEWEST_DEGREES)
     errors: list[FieldEstimate | None] = []
     verdicts: list[TargetVerdicts | None] = []
     for own, change in zip(targets, changes, strict=True):
@@ -207,58 +199,25 @@ def estimate_frames(
         used = exclude_by_turns(partial(_p_values, basis.model, own, noise, change), np.ones(len(own.ids), dtype=bool), SNOOPING_LEVEL)
         weights = np.stack([np.diag(1 / (noise**2 * v)) for v in own.variances])
         field = FieldEstimate.from_observations(basis, precision, own.positions[used], own.residuals[used], weights[used])
-        errors.append(field)
+        errors.append(_with_offset(field, own.offset_variance))
         verdicts.append(_verdicts(basis.model, own, noise, change, used, field))
-    size = _size_of_errors(pairs, errors, bendings, height, degrees)
-    if size is None:
-        # the size of a bend learned from few stretches is uncertain itself: the variance of t with as many degrees of freedom
-        size = 1 + 2 / degrees
-    else:
-        degrees = math.inf
     return EpochFrames(
         model=basis.model,
         gain=gain,
         basis=basis,
-        errors=tuple(None if error is None else replace(error, covariance=error.covariance * size) for error in errors),
+        errors=tuple(errors),
         verdicts=tuple(verdicts),
         noise_factor=noise,
         bendings=bendings,
         degrees=degrees,
-        size=size,
-        lengths=lengths,
     )
 
 
-def _size_of_errors(
-    pairs: Sequence[PairShifts],
-    errors: Sequence[FieldEstimate | None],
-    bendings: Sequence[Bending | None],
-    height: float,
-    degrees: float,
-) -> float | None:
-    """Factor of the variance of what targets leave unknown, from how far off it the resting units lie; None where no pair tells.
-
-    Cells of ground that a smooth bend explains, outside stretches that moved as one, are taken to rest. What all units did together
-    would pass for such an error, which is why the factor has bounds.
-    """
-    found = []
-    for pair, bending, first, second in zip(pairs, bendings, errors[:-1], errors[1:], strict=True):
-        if first is None or second is None or bending is None or bending.model is None:
-            continue
-        _, resting = _resting_cells(pair, bending, height)
-        if len(resting) < FEWEST_CELLS:
-            continue
-        known = FieldEstimate(first.basis, second.mean - first.mean, first.covariance + second.covariance)
-        # less the bend, neighbours differ by their own errors alone
-        left = pair.vectors - known.at(pair.places).means[:, :3]
-        own = in_cells(pair.places[:, :2], left, np.einsum("kii->ki", pair.covariances), CELL_HEIGHTS * height)
-        places = np.column_stack([own.places[resting], np.full(len(resting), float(np.mean(pair.places[:, 2])))])
-        variances = own.variances[resting] + np.einsum("kii->ki", known.at(places).covariances[:, :3, :3])
-        found.append(float(np.mean(np.minimum(own.values[resting] ** 2 / variances, LARGEST_MISFIT))))
-    if not found:
-        return None
-    seen = min(max(float(np.mean(found)), LEAST_SIZE), MOST_SIZE)
-    return (3 * degrees * seen + SIZE_CAUTION) / (3 * degrees + SIZE_CAUTION)
+def _with_offset(field: FieldEstimate, variance: float) -> FieldEstimate:
+    """A field whose shift has a ``variance`` (square metres) more on every axis."""
+    covariance = field.covariance.copy()
+    covariance[[0, 1, 2], [0, 1, 2]] += variance
+    return replace(field, covariance=covariance)
 
 
 def _resting_cells(pair: PairShifts, bending: Bending, height: float) -> tuple[ShiftSample, IntArray]:

@@ -135,11 +135,16 @@ def compare_epochs(units: TrackedUnits, epochs: Sequence[TrackedEpoch], first: i
     own, tail = congruence.null.covariance(members.covariances), congruence.null.tail
     # what neighbours say is the word of many
     known = {"stable": math.inf, "control": congruence.control_degrees}
+    factors = {"stable": 1.0, "control": congruence.control_factor}
     tails = {datum: pooled_degrees(own, tail, parts[datum].covariances[:, :3, :3], known[datum]) for datum in DATUMS}
     own_frames = [
         {
             datum: FramePart(
-                motion=parts[datum].means[i], covariance=parts[datum].covariances[i], degrees=float(tails[datum][i]), carried=carried
+                motion=parts[datum].means[i],
+                covariance=parts[datum].covariances[i],
+                degrees=float(tails[datum][i]),
+                carried=carried,
+                factor=factors[datum],
             )
             for datum in DATUMS
         }
@@ -205,12 +210,13 @@ def _elastic(
     judged, centres, vectors, own = members.judged, members.centres, members.vectors, members.covariances
     control, precision = frames.between(first, second)
     congruence, datum = elastic_congruence_of(
-        vectors[judged], own[judged], centres[judged], control, precision, height, degrees, frames.jumped(first, second, centres[judged])
-    )
+        vectors[judged], own[judged], centres[judged], control, precision, height, degrees,
+        suspects=frames.jumped(first, second, centres[judged]), controlled=frames.controlled(first, second),
+    )  # fmt: skip
     used = np.zeros(len(centres))
     used[judged] = datum.used
     stable = datum.stable.at(centres).without(vectors, congruence.null.covariance(own), used)
-    return congruence, datum, {"stable": stable, "control": control.at(centres)}
+    return congruence, datum, {"stable": stable, "control": datum.control.at(centres)}
 
 
 def _classified(

@@ -187,7 +187,8 @@ def _frames(units: TrackedUnits, epochs: Sequence[TrackedEpoch], choice: FrameCh
     places = [s.pose.centre for states in units.states for s in states.values() if s.pose is not None]
     height = max(unit.height for unit in units.types)
     pairs = [shifts_between(units, k, k + 1) for k in range(len(epochs) - 1)]
-    return estimate_frames(pairs, [e.targets for e in epochs], np.array(places).reshape(-1, 3), height, choice)
+    targets = [None if e.targets is None else replace(e.targets, offset_variance=e.offset_variance) for e in epochs]
+    return estimate_frames(pairs, targets, np.array(places).reshape(-1, 3), height, choice)
 
 
 def _look_for_missing(

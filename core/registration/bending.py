@@ -38,8 +38,9 @@ TREND_SHIFT, TREND_SLOPE = 1.0, 0.01
 """Prior standard deviations of a shift (m) and slope that the rigid motion may leave."""
 JUMP_GAIN = 25.0
 """Gain of log-likelihood by which a stretch is said to have moved as one; the best of all stretches of a smooth bend gains about ten."""
-STEEP = 4.0
-"""Square of a step over the variance of the bend's own change at its ends from which it is one."""
+DOUBTFUL, STEEP = 2.0, 4.0
+"""Square of a step over the variance of the bend's own change at its ends from which it may be one, by the bend that all cells show, and
+from which it is, by that of all others: a bend that has to follow a step changes faster than the others do."""
 LONGEST_JUMP = 0.4
 """Longest such stretch over the length of the structure: of more than that nobody could say which part moved."""
 MOST_JUMPS = 4
@@ -179,10 +180,14 @@ def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = G
         jump = _clearest_jump(sample, searched, along, model, shortest)
         if jump is None:
             break
-        jumps.append(jump)
-        inside = (along >= jump[0]) & (along <= jump[1]) & ~sample.fixed
-        windows, searched = ([window[~inside[window]] for window in part] for part in (windows, searched))
-        model, gain = _likeliest(sample, windows, axis, lengths, ratios)
+        low, high, square = jump
+        inside = (along >= low) & (along <= high) & ~sample.fixed
+        without, others = ([window[~inside[window]] for window in part] for part in (windows, searched))
+        smooth, smooth_gain = _likeliest(sample, without, axis, lengths, ratios)
+        if smooth is not None and square < STEEP * _own_change(smooth, shortest):
+            break
+        jumps.append((low, high))
+        windows, searched, model, gain = without, others, smooth, smooth_gain
     if model is None or gain <= least_gain:
         return replace(rigid, gain=gain)
     if elongation > ELONGATED:
@@ -228,8 +233,8 @@ def rigid_log_likelihood(sample: ShiftSample) -> float:
 
 def _clearest_jump(
     sample: ShiftSample, windows: Sequence[IntArray], along: FloatArray, model: FieldModel, step: float
-) -> tuple[float, float] | None:
-    """Stretch whose common motion gains most likelihood under a model of the bend; None where none gains enough."""
+) -> tuple[float, float, float] | None:
+    """Stretch (from, to) whose common motion gains most likelihood under a bend, and its square; None where none gains enough."""
     best, found = JUMP_GAIN, None
     longest = LONGEST_JUMP * float(np.ptp(along))
     for window in windows:
@@ -253,12 +258,16 @@ def _clearest_jump(
             sizes += ((line[None, :] - line[:, None]) / np.maximum(inside, 1e-12)) ** 2
         width = edges[None, :] - edges[:, None]
         # what a bend itself does over the distance in which an end is seen is no step
-        smooth = STEEP * np.sum(np.square(model.sds)) * 2 * (1 - matern(np.array(step / model.length), model.smoothness))
-        gains[(width < step) | (width > longest) | (sizes < smooth)] = 0
+        gains[(width < step) | (width > longest) | (sizes < DOUBTFUL * _own_change(model, step))] = 0
         low, high = np.unravel_index(int(np.argmax(gains)), gains.shape)
         if gains[low, high] > best:
-            best, found = float(gains[low, high]), (float(edges[low]), float(edges[high]))
+            best, found = float(gains[low, high]), (float(edges[low]), float(edges[high]), float(sizes[low, high]))
     return found
+
+
+def _own_change(model: FieldModel, step: float) -> float:
+    """Mean square by which a bend changes over ``step`` metres along the structure, square metres."""
+    return float(np.sum(np.square(model.sds)) * 2 * (1 - matern(np.array(step / model.length), model.smoothness)))
 
 
 def _first_model(sample: ShiftSample, along: FloatArray, lengths: FloatArray, axis: tuple[float, float]) -> FieldModel:

@@ -28,7 +28,7 @@ def frames_and_datum(coast: BentCoast, with_targets: tuple[bool, bool] = (True, 
     control, precision = frames.between(0, 1)
     suspects = frames.jumped(0, 1, coast.places)
     datum = elastic_congruence_of(
-        coast.displacements, coast.covariances, coast.places, control, precision, HEIGHT, frames.degrees, suspects
+        coast.displacements, coast.covariances, coast.places, control, precision, HEIGHT, frames.degrees, suspects, frames.controlled(0, 1)
     )[1]
     return frames, datum
 
