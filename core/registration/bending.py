@@ -38,7 +38,7 @@ TREND_SHIFT, TREND_SLOPE = 1.0, 0.01
 """Prior standard deviations of a shift (m) and slope that the rigid motion may leave."""
 JUMP_GAIN = 25.0
 """Gain of log-likelihood by which a stretch is said to have moved as one; the best of all stretches of a smooth bend gains about ten."""
-DOUBTFUL, STEEP = 2.0, 4.0
+DOUBTFUL, STEEP = 1.0, 4.0
 """Square of a step over the variance of the bend's own change at its ends from which it may be one, by the bend that all cells show, and
 from which it is, by that of all others: a bend that has to follow a step changes faster than the others do."""
 LONGEST_JUMP = 0.4

@@ -110,6 +110,16 @@ def test_a_sliding_stretch_with_targets_on_it_moves_in_both_datums() -> None:
     assert np.mean(result.control_p_values[sliding] < 0.05) > 0.9
 
 
+@pytest.mark.parametrize("seed", [4, 10, 15])
+def test_a_slide_that_the_bend_of_all_cells_follows_is_told_by_that_of_the_others(seed: int) -> None:
+    coast = bent_coast(seed, length=100.0, density=1.67, slide=(38.0, 62.0), station=24.0)
+    result, _, control = judged(coast)
+    sliding = np.all(coast.motions == [0.07, 0.0, -0.07], axis=1)
+    assert np.mean(result.p_values[sliding] < 0.05) > 0.9
+    assert np.mean(result.control_p_values[sliding] < 0.05) > 0.9
+    assert 0.7 < np.mean(squares(coast, result, control)) < 1.4
+
+
 def test_a_disturbed_target_is_found_and_good_ones_stay_on_a_bent_coast() -> None:
     good = 0
     for seed in range(6):
