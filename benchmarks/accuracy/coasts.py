@@ -18,7 +18,9 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
+import laspy
 import numpy as np
+from scipy.spatial.transform import Rotation
 from tetratrack.benchmarks.accuracy.honesty import matched, true_units
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey_reader import read_survey
@@ -31,6 +33,8 @@ from tetratrack.core.simulation.virtual_survey import simulate_survey
 
 SEEN_MOVE = 0.02
 """Least true motion that counts as found or not, metres."""
+TURN, SHIFT = 4.0, np.array([3.1, -2.3, 1.6])
+"""Degrees about the vertical and metres by which a turned cloud lies."""
 VECTORS = "select unit_id, epoch_from, epoch_to, de, dn, dh, sd_e, sd_n, sd_h, significant from "
 QUERIES = {
     "stable": VECTORS + "displacements where feature = 'centre' and datum = 'stable'",
@@ -41,12 +45,18 @@ COLUMNS = ("coast", "units", "centres", "stable", "control", "stretches", "targe
 
 @dataclass(frozen=True, kw_only=True)
 class Kind:
-    """What a coast is: instrument, errors of its frames, distance of targets in metres (0 for none), and slide of its middle."""
+    """What a coast is: instrument, errors of its frames, distance of targets in metres (0 for none), and slide of its middle.
+
+    ``anonymous`` clouds have neither numbers of strips nor times; of a ``turned`` coast the last epoch's cloud, with its targets, lies
+    turned and shifted.
+    """
 
     instrument: Instrument
     frame: FrameErrors = RIGID
     targets_every: float = 24.0
     slide: float = 0.0
+    anonymous: bool = False
+    turned: bool = False
 
 
 KINDS = {
@@ -55,11 +65,36 @@ KINDS = {
     "uav_slide": Kind(instrument="uav", frame=FrameErrors(bend=0.03), slide=0.1),
     "uav_flat": Kind(instrument="uav"),
     "uav_drift": Kind(instrument="uav", frame=FrameErrors(drift=0.03)),
+    "uav_anonymous": Kind(instrument="uav", anonymous=True),
+    "uav_turned": Kind(instrument="uav", turned=True),
+    "uav_turned_alone": Kind(instrument="uav", turned=True, targets_every=0.0),
     "uav_no_targets": Kind(instrument="uav", frame=FrameErrors(bend=0.03), targets_every=0.0),
     "tls_flat": Kind(instrument="tls"),
     "tls_short": Kind(instrument="tls", frame=FrameErrors(bend=0.05, shortest=30.0, longest=60.0)),
     "bowl": Kind(instrument="photogrammetry", frame=FrameErrors(bowl=0.05)),
 }
+
+
+def alter(folder: Path, kind: Kind) -> None:
+    """Take from a simulated survey's clouds what its kind lacks, and turn the last one."""
+    epochs = sorted(path for path in (folder / "tiles").iterdir() if path.is_dir())
+    middle: np.ndarray | None = None
+    turn = Rotation.from_euler("z", TURN, degrees=True)
+    for tile in sorted(folder.glob("tiles/*/*.laz")) if kind.anonymous or kind.turned else []:
+        cloud = laspy.read(tile)
+        if kind.anonymous:
+            cloud.point_source_id[:] = 0
+            cloud.gps_time[:] = 0
+        if kind.turned and tile.parent == epochs[-1]:
+            middle = np.asarray(cloud.xyz).mean(axis=0) if middle is None else middle
+            cloud.xyz = turn.apply(np.asarray(cloud.xyz) - middle) + middle + SHIFT
+        cloud.write(tile)
+    targets = folder / f"targets_{epochs[-1].name}.csv"
+    if middle is not None and targets.exists():
+        head, *rows = list(csv.reader(targets.open()))
+        places = turn.apply(np.array([row[1:4] for row in rows], dtype=np.float64) - middle) + middle + SHIFT
+        with targets.open("w", newline="") as stream:
+            csv.writer(stream).writerows([head, *([row[0], *(f"{v:.4f}" for v in place)] for row, place in zip(rows, places, strict=True))])
 
 
 def line_of(name: str, folder: Path, result: Path) -> str:
@@ -146,6 +181,7 @@ def main() -> None:
                     length=arguments.length, targets_every=kind.targets_every, slide=kind.slide,
                 )  # fmt: skip
                 folder = simulate_survey(plan, Path(work) / plan.name).parent
+                alter(folder, kind)
                 result = Path(work) / f"{plan.name}.gpkg"
                 run_survey(read_survey(folder / "survey.toml"), result, RunOptions(workers=1), Feedback())
                 print(f"| {line_of(plan.name, folder, result)} |", flush=True)

@@ -1,6 +1,6 @@
 """Systematic errors of long surveys, which the paper leaves to future work: amplitude, wave length and spacing of targets.
 
-    python benchmarks/accuracy/frames.py [--seeds 4] [--image docs/images/frames.png] [--json FILE]
+    python benchmarks/accuracy/frames.py [--seeds 4] [--first 0] [--image docs/images/frames.png] [--json FILE]
 
 Coasts of 168 m are drawn as displacements of 770 units with their covariances, two epochs bent each for itself by a sum of sinusoids,
 15 % of the units moved by 2 to 20 cm, and eight targets a station (``tests/helpers/bent_coast.py``): no clouds, so that every cell of
@@ -121,6 +121,7 @@ def picture(rows: list[dict[str, Any]], path: Path) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", type=int, default=4)
+    parser.add_argument("--first", type=int, default=0, help="first seed")
     parser.add_argument("--image", type=Path)
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
@@ -140,7 +141,7 @@ def main() -> None:
             for station in STATIONS:
                 coasts = [
                     judge(bent_coast(seed, rms=amplitude, shortest=waves[0], longest=waves[1], station=station))
-                    for seed in range(arguments.seeds)
+                    for seed in range(arguments.first, arguments.first + arguments.seeds)
                 ]
                 keys = sorted({key for coast in coasts for key in coast})
                 mean = {key: float(np.mean([coast[key] for coast in coasts if key in coast])) for key in keys}

@@ -24,7 +24,7 @@ from .epoch_frames import EpochFrames
 MOST_UNKNOWNS = 4600
 """Unknowns of a field up to which epochs are chained; beyond, each stands on its own targets."""
 
-MODEL_BENDS = 10.0
+MODEL_BENDS = 5.0
 """Independent bends that the model's own size of errors is worth beside those that differences of epochs show."""
 
 Message = tuple[FloatArray, FloatArray]
