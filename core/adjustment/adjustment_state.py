@@ -15,6 +15,9 @@ from ..model.unit_types import UnitType
 from .adjustment_records import AdjustmentOptions
 from .condition_records import LegDirections, NormalEquations, PointStates, Solid, Sums, legs_of
 
+END_IN_NOISE = 2.0
+"""Distance from the end of a leg, in standard deviations of the noise, up to which its cone is used where its end disc is not."""
+
 
 class Prior(NamedTuple):
     """What is known of the 12 unknowns beforehand.
@@ -178,15 +181,16 @@ class Problem:
         """Width left out along creases and rims, axial coordinate up to which a leg's cone is used, and over which its use fades, metres.
 
         Fillets, chamfers and rounded tips depart from the cones by a fraction of their width. Noise of that width hides them, and
-        leaving points out then costs more than it saves: the trimming fades from a third of the width on. No cone is used beyond its
-        leg, where rock that it would run into lies: points there are no further out than the noise carries them.
+        leaving points out then costs more than it saves: the trimming fades from a third of the width on. No cone is used where the noise
+        carries points of its end to: those of an end disc that is not used lie inside it, bend it and shift the unit along its leg.
         """
         noise = scale * self.mean_sd
         if len(self.given) and not math.isfinite(self.tip):
             return self.edge, math.inf, noise
         share = 1.0 if self.options.edge is not None else min(max(1.5 * (1.0 - noise / self.edge), 0.0), 1.0)
         edge = self.edge * share
-        return edge, min(self.unit.leg_length + noise, self.tip / max(share, 1e-9)), max(0.5 * edge, 2.0 * noise)
+        tip = min(self.unit.leg_length - END_IN_NOISE * noise, self.tip / max(share, 1e-9))
+        return edge, tip, max(0.5 * edge, 2.0 * noise)
 
 
 class Linearisation(NamedTuple):

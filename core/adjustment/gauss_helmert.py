@@ -306,7 +306,7 @@ class Solver:
 
     def find_discs(self, scale: float) -> bool:
         """Use the end discs that the points show. Tells of any."""
-        self.state = self.state._replace(discs=discs_shown(self.problem, self.state, self.points, scale))
+        self.state = self.state._replace(discs=discs_shown(self.problem, self.state, self.points, scale, self._equations))
         return bool(self.state.discs.any())
 
     def close_legs(self, scale: float) -> bool:

@@ -6,17 +6,28 @@ import math
 
 import numpy as np
 
-from ..common.arrays import BoolArray
+from ..common.arrays import BoolArray, FloatArray
 from ..common.robust import MAD_TO_SD
 from ..model.tetrapod import TIP_RATIO
 from .adjustment_records import MIN_POINTS
 from .adjustment_state import Problem, UnitState
-from .condition_records import PointStates
+from .condition_records import NormalEquations, PointStates
+from .gauss_newton_step import DETERMINED
 from .noise_along_surface import clear_counts
 
+SURELY = 4.0
+"""Standard deviations from the nominal length within which an end disc is in place."""
+MOST_SHIFT = 0.04
+"""Share of the height by which at most an end disc may seem shifted because the unit's place along the leg is poorly known: a broken leg is
+shorter by more."""
 
-def discs_shown(problem: Problem, state: UnitState, points: PointStates, scale: float) -> BoolArray:
-    """(4,) legs at whose end the points show a plane at the nominal length: many, thin, in place."""
+
+def discs_shown(problem: Problem, state: UnitState, points: PointStates, scale: float, equations: NormalEquations) -> BoolArray:
+    """(4,) legs at whose end the points show a plane at the nominal length: many, thin, in place.
+
+    Without discs little but the taper says where along its legs a unit lies. What its normal equations leave open there is no evidence
+    against a disc.
+    """
     body = (problem.points - state.centre) @ state.rotation
     length, tolerance = problem.prior.leg_length, problem.prior.sds[8]
     noise = scale * float(np.mean(points.sds[np.isfinite(points.residuals)]))
@@ -24,6 +35,7 @@ def discs_shown(problem: Problem, state: UnitState, points: PointStates, scale: 
     axial = body @ problem.legs.directions.T
     beside = np.einsum("ij,ij->i", body, body)[:, None] - axial**2 < rim**2
     discs = state.discs.copy()
+    shifts = np.minimum(SURELY * _sds_along_legs(problem, state, equations), MOST_SHIFT * problem.unit.height)
     for k in range(4):
         beyond = axial[:, k] - length
         near = beside[:, k] & (np.abs(beyond) < (1 - TIP_RATIO) * length + 3 * noise)
@@ -33,9 +45,20 @@ def discs_shown(problem: Problem, state: UnitState, points: PointStates, scale: 
             continue
         middle = float(np.median(beyond[near]))
         spread = MAD_TO_SD * float(np.median(np.abs(beyond[near] - middle)))
-        off = 4 * math.hypot(tolerance, 1.5 * noise / math.sqrt(near.sum()))
-        discs[k] = spread < 1.5 * noise and abs(middle) < off
+        off = SURELY * math.hypot(tolerance, 1.5 * noise / math.sqrt(near.sum()))
+        discs[k] = spread < 1.5 * noise and abs(middle) < math.hypot(off, shifts[k])
     return discs
+
+
+def _sds_along_legs(problem: Problem, state: UnitState, equations: NormalEquations) -> FloatArray:
+    """(4,) standard deviation of the unit's place along each leg, metres."""
+    chosen = np.flatnonzero(problem.free(state))
+    scaling, weights = problem.prior.scaling[chosen], problem.prior.weights[chosen]
+    normal = equations.normal[np.ix_(chosen, chosen)] * np.outer(scaling, scaling)
+    normal[np.diag_indices(len(chosen))] += weights * scaling**2 + 1 / DETERMINED**2
+    covariance = np.linalg.inv(normal)[:3, :3] * np.outer(scaling[:3], scaling[:3])
+    axes = problem.legs.directions
+    return np.asarray(np.sqrt(np.einsum("ki,ij,kj->k", axes, covariance, axes)))
 
 
 def legs_shown(problem: Problem, state: UnitState, points: PointStates, scale: float) -> BoolArray:

@@ -18,8 +18,8 @@ FINE_TOLERANCE = 0.02
 chance, so that in sparse clouds of much noise rock looks like units."""
 NOISY_RATIO = 0.05
 """Tolerance, as a share of the height, above which the noise decides what can be seen."""
-SPARSE_RATIO = 0.02
-"""Spacing of points, as a share of the height, above which a cloud is sparse: legs show as legs no longer, and normals blur."""
+SPARSE_RATIO = 0.014
+"""Spacing of points, as a share of the height, above which a cloud is sparse: small parts of legs show as legs no longer, normals blur."""
 
 
 class ScoreModel(NamedTuple):
