@@ -15,7 +15,9 @@ import numpy as np
 
 from ..core.adjustment.adjustment_records import AdjustmentOptions
 from ..core.adjustment.gauss_helmert import adjust
+from ..core.common.arrays import FloatArray
 from ..core.common.feedback import Feedback
+from ..core.common.patch_means import PatchMeans
 from ..core.data.survey_reader import read_survey
 from ..core.model.pose import Pose
 from ..core.model.tetrapod import sample_surface
@@ -59,5 +61,14 @@ def adjust_a_unit() -> None:
     points, _, _ = sample_surface(unit, POINTS, rng)
     points = points + rng.normal(0.0, NOISE, points.shape)
     start = Pose(np.full(3, 0.02), np.eye(3))
+    thin_a_cloud(points)
     for covariances in (None, np.tile(NOISE**2 * np.eye(3), (POINTS, 1, 1))):
         adjust(points, unit, start, options=AdjustmentOptions(radius_sd=0.01, gradient_sd=0.01), covariances=covariances)
+
+
+def thin_a_cloud(points: FloatArray) -> None:
+    """Take means of points that are denser than is of use; the survey's are not."""
+    patches = PatchMeans(100 * NOISE)
+    patches.add(points, np.zeros(len(points), dtype=np.uint16), np.zeros(len(points)))
+    patches.noise()
+    patches.means()

@@ -23,7 +23,7 @@ so."""
 choose_folder()
 
 
-def kernel(*, parallel: bool = False, makes_arrays: bool = True) -> Callable[[Function], Function]:
+def kernel(*, parallel: bool = False, makes_arrays: bool = True, releases: bool = False) -> Callable[[Function], Function]:
     """Decorator of a loop compiled as ``COMPILED`` says.
 
     Parameters
@@ -33,9 +33,11 @@ def kernel(*, parallel: bool = False, makes_arrays: bool = True) -> Callable[[Fu
     makes_arrays
         False for a loop that takes named tuples of arrays: numba counts a reference wherever an array is taken out of a tuple, which can
         take longer than the work itself. Without counting a loop can make no arrays; they are passed to it.
+    releases
+        Other threads of Python go on meanwhile.
     """
     options = COMPILED if makes_arrays else COMPILED | {"_nrt": False}
-    compiled = numba.njit(parallel=parallel, **options)
+    compiled = numba.njit(parallel=parallel, nogil=releases, **options)
     return cast(Callable[[Function], Function], lambda function: keep_compiled(compiled(function)))
 
 

@@ -30,7 +30,7 @@ class Scan:
     """Extents (3,) of all points in the tile's own CRS, and of the points that are used in the survey's, and where these are.
 
     Of the points that are used also the first and last GPS time (2,), infinity and its negative where there is none, and the point source
-    IDs that occur (k,).
+    IDs that occur (k,). Of a tile that was thinned, the key of the means (:mod:`.thinned_clouds`) and their number.
     """
 
     raw_low: FloatArray
@@ -40,24 +40,35 @@ class Scan:
     cells: Occupancy
     times: FloatArray
     sources: IntArray
+    thinned: str = ""
+    means: int = 0
 
 
 def key_of(path: Path, settings: str) -> str:
     """Name of what is known of a file in its present state, looked at in a certain way."""
     state = path.stat()
-    parts = (str(path.resolve()), state.st_size, state.st_mtime_ns, state.st_ctime_ns, state.st_ino, settings, code_fingerprint(("data",)))
+    parts = (
+        str(path.resolve()),
+        state.st_size,
+        state.st_mtime_ns,
+        state.st_ctime_ns,
+        state.st_ino,
+        settings,
+        code_fingerprint(("common", "data")),
+    )
     return hashlib.sha256(repr(parts).encode("utf-8", "surrogateescape")).hexdigest()[:40]
 
 
 def load(key: str) -> Scan | None:
     """What was found then; None where nothing is known or the memory is damaged."""
-    folder = _folder()
+    folder = scans_folder()
     if folder is None:
         return None
     try:
         with np.load(folder / f"{key}.npz", allow_pickle=False) as kept:
             cells = Occupancy(int(kept["level"]), kept["cells"], kept["counts"], kept["heights"])
-            return Scan(kept["raw_low"], kept["raw_high"], kept["low"], kept["high"], cells, kept["times"], kept["sources"])
+            own = {name: kept[name] for name in ("raw_low", "raw_high", "low", "high", "times", "sources")}
+            return Scan(**own, cells=cells, thinned=str(kept["thinned"]), means=int(kept["means"]))
     except Exception:
         # a damaged archive raises whatever its bytes lead to, as in array_files.load_arrays
         return None
@@ -65,7 +76,7 @@ def load(key: str) -> Scan | None:
 
 def store(key: str, scan: Scan) -> None:
     """Remember what was found, if that is possible."""
-    folder = _folder()
+    folder = scans_folder()
     if folder is None:
         return
     cells = scan.cells
@@ -73,7 +84,7 @@ def store(key: str, scan: Scan) -> None:
     np.savez_compressed(
         buffer, raw_low=scan.raw_low, raw_high=scan.raw_high, low=scan.low, high=scan.high,
         level=np.array(cells.level), cells=cells.cells, counts=cells.counts, heights=cells.heights,
-        times=scan.times, sources=scan.sources,
+        times=scan.times, sources=scan.sources, thinned=np.array(scan.thinned), means=np.array(scan.means),
     )  # fmt: skip
     # a memory that cannot be kept is no loss
     with contextlib.suppress(OSError, OutputError), temporary_beside(folder / f"{key}.npz") as temporary:
@@ -82,7 +93,7 @@ def store(key: str, scan: Scan) -> None:
 
 
 @cache
-def _folder() -> Path | None:
+def scans_folder() -> Path | None:
     """Folder of the memory, tidied; None where there can be none."""
     folder = cache_folder("tiles")
     try:

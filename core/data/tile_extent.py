@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..common.arrays import BoolArray, FloatArray
 from ..common.errors import Cancelled, InputError
-from . import scan_cache
+from ..common.patch_means import Means
+from . import scan_cache, thinned_clouds
 from .las_files import LasHeader, chunks_of, open_points, positions
 from .occupancy import Occupancy, merged, stray_cells
 from .scan_cache import Scan
+from .thinned_clouds import Thinning
 
 NOISE_CLASSES = (7, 18)
 """ASPRS classes low and high noise (LAS 1.4 R15, table 17)."""
@@ -21,17 +25,38 @@ STALE_METRES = 10.0
 
 
 def scanned(
-    header: LasHeader, apply: Callable[[FloatArray], FloatArray] | None, crs: str, level: int, is_cancelled: Callable[[], bool]
+    header: LasHeader,
+    apply: Callable[[FloatArray], FloatArray] | None,
+    crs: str,
+    level: int,
+    is_cancelled: Callable[[], bool],
+    radius: float = 0.0,
 ) -> Scan:
-    """Look at every point of a tile once; what was found is remembered as long as the file stays as it is."""
-    key = scan_cache.key_of(header.path, f"{level} {crs}")
+    """Look at every point of a tile once; what was found is remembered as long as the file stays as it is.
+
+    With ``radius`` (metres) a tile that is dense beyond use is thinned to patches of it in the same go; the means are kept too.
+    """
+    key = scan_cache.key_of(header.path, f"{level} {crs} {radius!r}")
     known = scan_cache.load(key)
-    if known is not None:
+    if known is not None and (not known.thinned or thinned_clouds.load(key) is not None):
         return known
+    scan, means = looked_through(header, apply, level, is_cancelled, radius)
+    # means that cannot be kept would have to be formed again by every reader
+    if means is not None and thinned_clouds.store(key, means):
+        scan = replace(scan, thinned=key, means=len(means.xyz))
+    scan_cache.store(key, scan)
+    return scan
+
+
+def looked_through(
+    header: LasHeader, apply: Callable[[FloatArray], FloatArray] | None, level: int, is_cancelled: Callable[[], bool], radius: float
+) -> tuple[Scan, Means | None]:
+    """What a look at every point of a tile finds, and its thinned points where it is dense beyond use; see :func:`scanned`."""
     extents = np.full((4, 3), np.inf)
     parts = [Occupancy.empty(level)]
     times = np.array([np.inf, -np.inf])
-    sources = np.empty(0, dtype=np.int64)
+    occurs = np.zeros(1 << 16, dtype=np.bool_)
+    thinning = Thinning(radius, header.count)
     with open_points(header) as reader:
         for chunk in chunks_of(reader, header):
             if is_cancelled():
@@ -41,22 +66,29 @@ def scanned(
                 continue
             extents[0], extents[1] = np.minimum(extents[0], xyz.min(axis=0)), np.minimum(extents[1], -xyz.max(axis=0))
             keep = usable(chunk)
-            sources = np.union1d(sources, np.asarray(chunk.point_source_id)[keep].astype(np.int64))
+            sources, seconds = point_records(chunk, header, keep)
+            occurs[sources] = True
             if header.has_time:
-                seconds = np.asarray(chunk.gps_time, dtype=np.float64)[keep]
-                seconds = seconds[np.isfinite(seconds)]
-                if len(seconds):
-                    times = np.array([min(times[0], seconds.min()), max(times[1], seconds.max())])
-            used = xyz[keep]
+                known = seconds[np.isfinite(seconds)]
+                if len(known):
+                    times = np.array([min(times[0], known.min()), max(times[1], known.max())])
+            used = xyz if keep.all() else xyz[keep]
             if apply is not None:
                 used = apply(used)
-                used = used[np.isfinite(used).all(axis=1)]
+                finite = np.isfinite(used).all(axis=1)
+                used, sources, seconds = used[finite], sources[finite], seconds[finite]
             if len(used):
                 extents[2], extents[3] = np.minimum(extents[2], used.min(axis=0)), np.minimum(extents[3], -used.max(axis=0))
                 parts = [merged([*parts, Occupancy.of(used, level)]).bounded()]
-    scan = Scan(extents[0], -extents[1], extents[2], -extents[3], parts[0], times, sources)
-    scan_cache.store(key, scan)
-    return scan
+                thinning.add(used, sources, np.nan_to_num(seconds))
+    scan = Scan(extents[0], -extents[1], extents[2], -extents[3], parts[0], times, np.flatnonzero(occurs))
+    return scan, thinning.means()
+
+
+def point_records(chunk: Any, header: LasHeader, keep: BoolArray) -> tuple[NDArray[np.uint16], FloatArray]:
+    """Source IDs and GPS times of the chosen points of a chunk; zero where the tile has no times."""
+    sources = np.asarray(chunk.point_source_id, dtype=np.uint16)[keep]
+    return sources, np.asarray(chunk.gps_time, dtype=np.float64)[keep] if header.has_time else np.zeros(len(sources))
 
 
 def main_part(scan: Scan) -> tuple[FloatArray, FloatArray]:

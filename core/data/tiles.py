@@ -13,16 +13,17 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
-from ..common.arrays import BoolArray, FloatArray
+from ..common.arrays import FloatArray
 from ..common.errors import Cancelled, InputError
+from . import thinned_clouds
 from .crs import TileTransform, crs_text, parse_crs, resolved_crs, tile_transform, vertical_name
 from .las_crs import declared_crs
 from .las_files import LasHeader, chunks_of, copc_chunks, open_points, positions, read_header
 from .occupancy import Occupancy, merged, stray_cells
+from .repeated_points import second_copies
 from .scan_cache import Scan
-from .tile_extent import main_part, said_of_extent, scanned, usable
+from .tile_extent import looked_through, main_part, point_records, said_of_extent, scanned, usable
 
 Corner = tuple[float, float, float]
 
@@ -101,6 +102,9 @@ class TileInfo:
         First and last GPS time of these; infinity and its negative where they have none.
     sources
         Point source IDs that occur among them.
+    thinned, patch, means
+        Of a tile that is denser than is of use: the key of its thinned points (:mod:`.thinned_clouds`), the radius of the patches, metres,
+        and their number. Whoever reads the tile reads these.
     """
 
     path: Path
@@ -127,6 +131,14 @@ class TileInfo:
     cells: Occupancy | None = field(default=None, compare=False, repr=False)
     times: tuple[float, float] = (math.inf, -math.inf)
     sources: tuple[int, ...] = ()
+    thinned: str = ""
+    patch: float = 0.0
+    means: int = 0
+
+    @property
+    def held(self) -> int:
+        """Points that reading it gives: those that are used, or the means that stand for them."""
+        return self.means if self.thinned else self.used
 
     @property
     def used(self) -> int:
@@ -153,19 +165,24 @@ class PointCloud:
         (n,) uint16, flight strip or scanner station (LAS point source ID).
     gps_time
         (n,) seconds as in the file; zero where the tiles have none.
+    spread
+        (n,) variance along the surface of the points that each is the mean of, square metres; None where all are points as they were
+        measured.
     """
 
     xyz: FloatArray
     origin: FloatArray
     source_id: NDArray[np.uint16]
     gps_time: FloatArray
+    spread: FloatArray | None = None
 
     def __len__(self) -> int:
         return len(self.xyz)
 
     def select(self, keep: NDArray[Any]) -> PointCloud:
         """The points of a mask or of indices."""
-        return PointCloud(self.xyz[keep], self.origin, self.source_id[keep], self.gps_time[keep])
+        spread = None if self.spread is None else self.spread[keep]
+        return PointCloud(self.xyz[keep], self.origin, self.source_id[keep], self.gps_time[keep], spread)
 
 
 def inspect_tile(
@@ -175,6 +192,7 @@ def inspect_tile(
     tiles_crs: str | None = None,
     undeclared_crs: str | None = None,
     level: int = DEFAULT_LEVEL,
+    patch: float = 0.0,
     is_cancelled: Callable[[], bool] = lambda: False,
 ) -> TileInfo:
     """Look through a tile: its header, its CRS, and where its points are.
@@ -191,6 +209,8 @@ def inspect_tile(
         CRS where the header declares none that can be understood.
     level
         Size of the cells in which points are counted: 2 ** level metres.
+    patch
+        Radius of the patches, metres, whose means stand for the points of a tile that is denser than is of use; 0 thins none.
     is_cancelled
         Asked between chunks.
 
@@ -222,7 +242,7 @@ def inspect_tile(
     else:
         crs, said = resolved_crs(declared, tiles_crs, undeclared_crs, source=source)
         remarks += [said] if said else []
-    scan = scanned(header, None, "", level, is_cancelled)
+    scan = scanned(header, None, "", level, is_cancelled, patch)
     said = said_of_extent(header, scan)
     remarks += [said] if said else []
     main = main_part(scan)
@@ -234,11 +254,14 @@ def inspect_tile(
         heights=vertical_name(crs),
         bounds=(_corner(scan.raw_low), _corner(scan.raw_high)),
         main=(_corner(main[0]), _corner(main[1])),
+        patch=patch,
     )
     if transform.apply is None:
         return tile
-    there = scanned(header, transform.apply, f"{tile.definition} {survey_crs}", level, is_cancelled)
-    return replace(tile, low=_corner(there.low), high=_corner(there.high), cells=there.cells, dropped=header.count - there.cells.points)
+    there = scanned(header, transform.apply, f"{tile.definition} {survey_crs}", level, is_cancelled, patch)
+    dropped = header.count - there.cells.points
+    tile = replace(tile, low=_corner(there.low), high=_corner(there.high), cells=there.cells, dropped=dropped)
+    return replace(tile, thinned=there.thinned, means=there.means)
 
 
 def without_strays(tiles: Sequence[TileInfo], survey_crs: str, is_cancelled: Callable[[], bool] = lambda: False) -> tuple[TileInfo, ...]:
@@ -339,18 +362,16 @@ def read_points(
     xyz = np.concatenate([p[1] for p in parts]) if parts else np.empty((0, 3))
     source_id = np.concatenate([p[2] for p in parts]) if parts else np.empty(0, np.uint16)
     gps_time = np.concatenate([p[3] for p in parts]) if parts else np.empty(0)
+    spread = np.concatenate([p[4] for p in parts]) if any(tiles[p[0]].thinned for p in parts) else None
     tile_of = np.repeat(np.array([p[0] for p in parts], dtype=np.int64), [len(p[1]) for p in parts])
     del parts
-    again = _second_copies(xyz, source_id, gps_time, tile_of, max((tile.resolution for tile in tiles), default=0.0))
+    cloud = PointCloud(xyz, np.asarray(origin, dtype=np.float64), source_id, gps_time, spread)
+    again = second_copies(xyz, source_id, gps_time, tile_of, max((tile.resolution for tile in tiles), default=0.0))
     if again.any():
-        xyz, source_id, gps_time = xyz[~again], source_id[~again], gps_time[~again]
-    order = np.lexsort((gps_time, source_id, xyz[:, 2], xyz[:, 1], xyz[:, 0]))
-    xyz, source_id, gps_time = xyz[order], source_id[order], gps_time[order]
-    same = (np.diff(xyz, axis=0) == 0).all(axis=1) & (np.diff(gps_time) == 0) & (source_id[1:] == source_id[:-1])
-    if same.any():
-        keep = np.concatenate([[True], ~same])
-        xyz, source_id, gps_time = xyz[keep], source_id[keep], gps_time[keep]
-    return PointCloud(xyz, np.asarray(origin, dtype=np.float64), source_id, gps_time)
+        cloud = cloud.select(~again)
+    cloud = cloud.select(np.lexsort((cloud.gps_time, cloud.source_id, cloud.xyz[:, 2], cloud.xyz[:, 1], cloud.xyz[:, 0])))
+    same = (np.diff(cloud.xyz, axis=0) == 0).all(axis=1) & (np.diff(cloud.gps_time) == 0) & (cloud.source_id[1:] == cloud.source_id[:-1])
+    return cloud.select(np.concatenate([[True], ~same])) if same.any() else cloud
 
 
 def used_points(tile: TileInfo, survey_crs: str, is_cancelled: Callable[[], bool] = lambda: False) -> Iterator[FloatArray]:
@@ -367,9 +388,12 @@ def used_points(tile: TileInfo, survey_crs: str, is_cancelled: Callable[[], bool
 
 def _read_tile(
     tile: TileInfo, survey_crs: str, window: Window | None, origin: FloatArray, is_cancelled: Callable[[], bool]
-) -> Iterator[tuple[FloatArray, NDArray[np.uint16], FloatArray]]:
-    """Yield reduced positions, source ids and times of the points of one tile inside the window."""
+) -> Iterator[tuple[FloatArray, NDArray[np.uint16], FloatArray, FloatArray]]:
+    """Yield reduced positions, source ids, times and spreads of the points of one tile inside the window."""
     if not tile.used:
+        return
+    if tile.thinned:
+        yield _means_of(tile, survey_crs, window, origin, is_cancelled)
         return
     header = read_header(tile.path)
     bounds = (header.low, header.high) if tile.bounds is None else (np.array(tile.bounds[0]), np.array(tile.bounds[1]))
@@ -394,42 +418,23 @@ def _read_tile(
                 keep &= ((xyz >= np.subtract(tile.low, slack)) & (xyz <= np.add(tile.high, slack))).all(axis=1)
             if window is not None:
                 keep &= window.contains(xyz)
-            time = np.asarray(chunk.gps_time, dtype=np.float64)[keep] if header.has_time else np.zeros(int(keep.sum()))
-            yield xyz[keep] - origin, np.asarray(chunk.point_source_id, dtype=np.uint16)[keep], np.nan_to_num(time)
+            sources, times = point_records(chunk, header, keep)
+            yield xyz[keep] - origin, sources, np.nan_to_num(times), np.zeros(len(sources))
 
 
-def _second_copies(
-    xyz: FloatArray, source_id: NDArray[np.uint16], gps_time: FloatArray, tile: NDArray[np.int64], resolution: float
-) -> BoolArray:
-    """(n,) points that stand in an earlier tile too: of the same source and time, and at the same place but for rounding."""
-    again = np.zeros(len(xyz), dtype=np.bool_)
-    numbers = np.unique(tile)
-    if len(numbers) < 2:
-        return again
-    reach = 1.02 * resolution + 1e-9
-    boxes = {k: (xyz[tile == k].min(axis=0) - reach, xyz[tile == k].max(axis=0) + reach) for k in numbers}
-    shared = np.zeros(len(xyz), dtype=np.bool_)
-    for k in numbers:
-        own = np.flatnonzero(tile == k)
-        for low, high in (boxes[other] for other in numbers if other != k):
-            shared[own] |= ((xyz[own] >= low) & (xyz[own] <= high)).all(axis=1)
-    chosen = np.flatnonzero(shared)
-    chosen = chosen[np.lexsort((tile[chosen], gps_time[chosen], source_id[chosen]))]
-    if not len(chosen):
-        return again
-    new = (np.diff(gps_time[chosen]) != 0) | (np.diff(source_id[chosen].astype(np.int64)) != 0)
-    pulse = np.concatenate([[0], np.cumsum(new)])
-    first, last = np.searchsorted(pulse, pulse, "left"), np.searchsorted(pulse, pulse, "right") - 1
-    doubtful = tile[chosen[first]] != tile[chosen[last]]
-    chosen, pulse = chosen[doubtful], pulse[doubtful]
-    if not len(chosen):
-        return again
-    # pulses are put apart by a fourth coordinate, so that only points of the same one are compared
-    tree = cKDTree(np.column_stack([xyz[chosen], 10 * reach * pulse]))
-    pairs = chosen[tree.query_pairs(reach, p=np.inf, output_type="ndarray")]
-    pairs = pairs[tile[pairs[:, 0]] != tile[pairs[:, 1]]]
-    again[np.where(tile[pairs[:, 0]] > tile[pairs[:, 1]], pairs[:, 0], pairs[:, 1])] = True
-    return again
+def _means_of(
+    tile: TileInfo, survey_crs: str, window: Window | None, origin: FloatArray, is_cancelled: Callable[[], bool]
+) -> tuple[FloatArray, NDArray[np.uint16], FloatArray, FloatArray]:
+    """The same of a tile that was thinned; on a machine that does not have the means they are formed again."""
+    means = thinned_clouds.load(tile.thinned)
+    if means is None:
+        _, means = looked_through(read_header(tile.path), transform_of(tile, survey_crs), DEFAULT_LEVEL, is_cancelled, tile.patch)
+    if means is None or len(means.xyz) != tile.means:
+        raise InputError("is not as it was when it was checked", source=tile.path, remedy="Run again; leave tiles alone meanwhile.")
+    keep = np.ones(len(means.xyz), dtype=np.bool_) if window is None else window.contains(means.xyz)
+    if tile.strays:
+        keep &= ((means.xyz >= np.array(tile.low)) & (means.xyz <= np.array(tile.high))).all(axis=1)
+    return means.xyz[keep] - origin, means.sources[keep], means.times[keep], means.spread[keep]
 
 
 def _tile_of(header: LasHeader, scan: Scan | None, transform: TileTransform, remarks: Sequence[str]) -> TileInfo:
@@ -456,6 +461,8 @@ def _tile_of(header: LasHeader, scan: Scan | None, transform: TileTransform, rem
         cells=None if scan is None else scan.cells,
         times=(math.inf, -math.inf) if scan is None else (float(scan.times[0]), float(scan.times[1])),
         sources=() if scan is None else tuple(scan.sources.tolist()),
+        thinned="" if scan is None else scan.thinned,
+        means=0 if scan is None else scan.means,
     )
 
 

@@ -74,6 +74,29 @@ def relate(body_points: ArrayLike, unit: UnitType) -> SurfaceRelation:
     return SurfaceRelation(distance, leg.astype(np.int64), np.where(on_end, END_DISC, LATERAL).astype(np.int64), axial, normal)
 
 
+def raise_means(body_means: ArrayLike, spread: FloatArray, unit: UnitType) -> FloatArray:
+    """(m, 3) means of points on a unit's surface, moved out to where the surface is; body frame.
+
+    The mean of points of a surface that bends lies inside of it, by half its curvature times their variance in that direction (the second
+    order of the surface about its tangent plane). Generators of a cone and end discs are straight.
+
+    Parameters
+    ----------
+    body_means
+        (m, 3) metres.
+    spread
+        (m,) variance of the points of each along the surface, square metres.
+    unit
+        Nominal geometry.
+    """
+    means = np.asarray(body_means, dtype=np.float64).reshape(-1, 3)
+    relation = relate(means, unit)
+    cosine = 1 / math.hypot(1, unit.gradient)
+    curvature = cosine / np.maximum(unit.radius - unit.gradient * relation.axial, 0.05 * unit.radius)
+    height = np.where(relation.part == LATERAL, 0.5 * curvature * spread, 0.0)
+    return np.asarray(means + height[:, None] * relation.normal)
+
+
 def sample_surface(
     unit: UnitType, count: int, rng: np.random.Generator, *, end_discs: bool = True
 ) -> tuple[FloatArray, FloatArray, IntArray]:

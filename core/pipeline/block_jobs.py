@@ -19,7 +19,7 @@ from ..data.tiles import PointCloud, Window, read_points
 from ..data.trajectory import BeamNoise
 from ..model.mould import Mould, onto_cones
 from ..model.pose import Pose
-from ..model.tetrapod import END_DISC, relate
+from ..model.tetrapod import END_DISC, raise_means, relate
 from ..model.unit_types import UnitType
 from .array_files import Arrays, load_arrays
 from .blocks import HALO_HEIGHTS, MARGIN_HEIGHTS, Block
@@ -27,7 +27,6 @@ from .job_runner import job_key
 
 if TYPE_CHECKING:
     from ..adjustment.adjustment_records import Adjustment, AdjustmentOptions
-
 
 SAME_UNIT_HEIGHTS = 0.4
 """Two found units whose centres are nearer than this are one unit: solid tetrapods cannot come nearer than about 0.5 H."""
@@ -81,6 +80,7 @@ class SegmentJob:
         settings = {
             "crs": self.survey_crs,
             "tiles_crs": [self.tiles_crs, *sorted({tile.crs for tile in self.block.tiles})],
+            "thinned": sorted({(repr(tile.patch), tile.means) for tile in self.block.tiles if tile.thinned}),
             "trimmed": sorted(repr((tile.low, tile.high)) for tile in self.block.tiles if tile.strays),
             "core": [repr(v) for v in (self.block.core.west, self.block.core.south, self.block.core.east, self.block.core.north)],
             "units": repr(self.units),
@@ -103,6 +103,8 @@ class SegmentJob:
         keep = margin.contains(table["poses"][:, :3] + cloud.origin)
         kept = {name: values[keep] for name, values in table.items()}
         kept |= _leg_ends(cloud, kept, [unit.type for unit in self.units])
+        if cloud.spread is not None:
+            cloud = replace(cloud, xyz=_raised(cloud, table, labels, self.units))
         return unit_arrays(cloud, kept, labels, np.flatnonzero(keep), timed=self.timed)
 
 
@@ -274,7 +276,7 @@ LEG_COLUMNS = ("leg_states", "leg_missing", "leg_broken")
 POINT_ARRAYS = ("points", "sources", "times")
 """Arrays of a job with one row per point; all others are small."""
 BLOCK_ARRAYS = ("origin", "offsets", "source_ids", "source_offsets")
-"""Arrays of a job that have a row neither per unit nor per point."""
+"""Arrays without a row per unit or point."""
 
 
 def unit_arrays(
@@ -362,6 +364,15 @@ def _leg_ends(cloud: PointCloud, table: Mapping[str, NDArray[Any]], units: Seque
                 found[row] = leg_ends(near, unit, noise, partial(lines.of, place))
     columns = ("states", "missing", "broken")
     return {name: np.array([getattr(f, c) for f in found]).reshape(-1, 4) for name, c in zip(LEG_COLUMNS, columns, strict=True)}
+
+
+def _raised(cloud: PointCloud, table: Mapping[str, NDArray[Any]], labels: IntArray, units: Sequence[SurveyUnit]) -> FloatArray:
+    """(n, 3) points of a block of which some are means of others, these moved onto the surfaces of their units."""
+    xyz, spread = cloud.xyz.copy(), np.asarray(cloud.spread)
+    for k, row in enumerate(table["poses"]):
+        own, unit = np.flatnonzero(labels == k), units[table["type"][k]].type
+        xyz[own] = _pose(row).to_frame(raise_means(_pose(row).to_body(xyz[own]), spread[own], unit))
+    return xyz
 
 
 def _found(cloud: PointCloud, number: int, unit: SurveyUnit, seed: int) -> tuple[dict[str, NDArray[Any]], IntArray]:

@@ -87,7 +87,7 @@ def plan_blocks(epoch: str, tiles: Sequence[TileInfo], unit_height: float) -> tu
     size = high - low
     count = np.maximum(1, np.ceil(size / (BLOCK_HEIGHTS * unit_height))).astype(int)
     most = np.maximum(1, np.floor(size / (LEAST_BLOCK_HEIGHTS * unit_height))).astype(int)
-    points = sum(tile.used for tile in tiles)
+    points = sum(tile.held for tile in tiles)
     places = _occupied(tiles, low, size, count)
     while points / len(places) > MOST_BLOCK_POINTS and (count < most).any():
         side = np.where(count < most, size / count, -1.0)

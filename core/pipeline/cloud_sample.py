@@ -31,7 +31,7 @@ def sample_points(
     crs
         As for :func:`read_points`.
     """
-    if sum(tile.used for tile in tiles) <= MOST_POINTS:
+    if sum(tile.held for tile in tiles) <= MOST_POINTS:
         cloud = read_points(tiles, crs, is_cancelled=is_cancelled)
         return cloud.xyz, cloud.origin
     coarse, chosen = _overview([tile for tile in tiles if tile.used], crs, is_cancelled)
@@ -51,10 +51,10 @@ def sample_points(
 
 def _overview(tiles: Sequence[TileInfo], crs: str, is_cancelled: Callable[[], bool]) -> tuple[FloatArray, list[TileInfo]]:
     """Every so many of the points of tiles spread over the epoch, and these tiles."""
-    total = sum(tile.used for tile in tiles)
+    total = sum(tile.held for tile in tiles)
     step = max(1, round(total / MOST_READ))
     chosen = list(tiles)[::step] if len(tiles) > step else list(tiles[:1])
-    stride = max(1, sum(tile.used for tile in chosen) // (MOST_POINTS // 2))
+    stride = max(1, sum(tile.held for tile in chosen) // (MOST_POINTS // 2))
     return np.vstack([xyz[::stride] for tile in chosen for xyz in used_points(tile, crs, is_cancelled)]), chosen
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
 from functools import partial
@@ -30,6 +32,7 @@ from ..data.plausibility import (
 )
 from ..data.point_tables import read_targets
 from ..data.survey import Epoch, LayerFile, Survey
+from ..data.thinned_clouds import patch_radius
 from ..data.tiles import TileInfo, inspect_tile, stray_place, without_strays
 from ..data.trajectory import read_stations, read_trajectory
 from ..deformation.validation import read_check
@@ -50,6 +53,8 @@ SENSOR_REACH, SENSOR_HEIGHT = 5000.0, 8000.0
 """Metres within which a sensor was that measured a tile."""
 APART = 1000.0
 """Metres between the clouds of two epochs of what cannot be one site."""
+MOST_LOOKS = 4
+"""Tiles looked through at once: each holds a chunk of points."""
 FIRST_SCANS = 1990
 """Year before which nobody scanned a breakwater."""
 
@@ -108,11 +113,10 @@ def check_survey(survey: Survey, feedback: Feedback) -> SurveyCheck:
         unreadable = [finding for finding in _readable(epoch) if finding.verdict == "refused"]
         findings += unreadable
         seen = []
-        for path in epoch.tiles:
-            feedback.check()
-            feedback.progress(done / total, f"checking {path.name}")
-            seen.append(_look_at(path, epoch, survey.crs, level_for(height), feedback))
+        for finding in _looks(epoch, survey.crs, height, feedback):
             done += 1
+            feedback.progress(done / total, f"checked {finding.name}")
+            seen.append(finding)
         findings += seen
         own = [finding.tile for finding in seen if finding.tile is not None and finding.verdict != "refused"]
         kept, said = _cloud_of(epoch, own, survey.crs, feedback)
@@ -124,6 +128,7 @@ def check_survey(survey: Survey, feedback: Feedback) -> SurveyCheck:
         tiles[epoch.label] = kept
         place = _place(kept, survey.crs, height)
         findings += _dropped(epoch, own)
+        findings += _thinned(epoch, kept)
         findings += _density(epoch, kept, height)
         findings += _tables(epoch, survey, place, kept, {finding.what for finding in unreadable})
     findings += _whole(survey, tiles, height)
@@ -159,11 +164,24 @@ def first_error(findings: Sequence[Finding]) -> InputError | None:
     return type(first)(first.problem, source=first.source, where=first.where, remedy=remedy)
 
 
-def _look_at(path: Path, epoch: Epoch, survey_crs: str, level: int, feedback: Feedback) -> Finding:
+def _looks(epoch: Epoch, survey_crs: str, height: float, feedback: Feedback) -> Iterator[Finding]:
+    """Verdicts on the tiles of an epoch one after the other; some are looked through at once, as decompression lets other threads go on."""
+    with ThreadPoolExecutor(min(MOST_LOOKS, os.cpu_count() or 1)) as pool:
+        looks = [pool.submit(_look_at, path, epoch, survey_crs, height, feedback) for path in epoch.tiles]
+        try:
+            for look in looks:
+                feedback.check()
+                yield look.result()
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+def _look_at(path: Path, epoch: Epoch, survey_crs: str, height: float, feedback: Feedback) -> Finding:
     """Verdict on one tile by itself."""
     try:
         stated = {"tiles_crs": epoch.tiles_crs, "undeclared_crs": epoch.undeclared_crs}
-        tile = inspect_tile(path, survey_crs, **stated, level=level, is_cancelled=feedback.is_cancelled)
+        level, patch = level_for(height), patch_radius(height)
+        tile = inspect_tile(path, survey_crs, **stated, level=level, patch=patch, is_cancelled=feedback.is_cancelled)
         if epoch.trajectory is not None and not tile.has_time and tile.used:
             raise InputError(
                 f"has no GPS time by which trajectory {epoch.trajectory.name} could be read",
@@ -233,6 +251,19 @@ def _dropped(epoch: Epoch, own: Sequence[TileInfo]) -> list[Finding]:
     said = f"{epoch.label}: {dropped} of {points} points ({100 * share:.2g} %) are classed as noise (7, 18) or withheld and left out"
     verdict: Verdict = "warning" if share > MOST_DROPPED else "note"
     return [Finding(verdict=verdict, what="tiles", name=f"{len(own)} tiles", epoch=epoch.label, message=said)]
+
+
+def _thinned(epoch: Epoch, tiles: Sequence[TileInfo]) -> list[Finding]:
+    """Say what was thinned."""
+    dense = [tile for tile in tiles if tile.thinned]
+    if not dense:
+        return []
+    points, means = sum(tile.used for tile in dense), sum(tile.means for tile in dense)
+    said = (
+        f"{epoch.label}: {points} points of {len(dense)} of {len(tiles)} tiles are taken as {means} means of small patches: closer points "
+        "are too much alike to say more"
+    )
+    return [Finding(verdict="note", what="tiles", name=f"{len(dense)} tiles", epoch=epoch.label, message=said)]
 
 
 def _density(epoch: Epoch, tiles: Sequence[TileInfo], height: float) -> list[Finding]:
