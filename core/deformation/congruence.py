@@ -117,7 +117,7 @@ class Congruence:
         (7,), (7, 7): shift (m), rotation vector (rad), scale of the stable set in the control frame, control included; to be subtracted
         in datum ``stable``.
     prior
-        (7, 7) covariance of the common motion from the registrations alone.
+        (7, 7) covariance of the common motion from the registrations alone; that of knowing nothing without control.
     stable
         (n,) whether a unit supports the datum.
     null
@@ -211,7 +211,7 @@ def congruence_of(
             break
     theta, cofactor, statistics = _leave_one_out(displacements, effective, a, sigma, stable)
     p_values = null.p_value(statistics)
-    frame = a @ sigma @ np.swapaxes(a, 1, 2) if known else np.zeros_like(effective)
+    frame = a @ sigma @ np.swapaxes(a, 1, 2)
     control = quadratic(displacements, effective + frame)
     global_statistic, global_degrees = _global(displacements, effective, a, sigma)
     common = math.nan
@@ -221,7 +221,7 @@ def congruence_of(
 origin=origin,
 motion=theta,
 motion_covariance=cofactor,
-prior=sigma if known else np.zeros((7, 7)),
+prior=sigma,
 stable=stable,
 null=null,
 statistics=statistics,

@@ -104,7 +104,10 @@ def test_without_control_the_stable_units_alone_make_the_datum() -> None:
     assert np.isnan(result.common_p_value)
     assert (result.p_values[moved] < 0.05).all()
     assert np.mean(result.p_values[~moved] < 0.05) < 0.15
-    assert not result.prior.any()
+    # nothing is known against control, and nothing is said to have moved against it
+    assert np.min(result.control_p_values) > 0.99
+    spread = result.rigid_motions(np.zeros((1, 3)), "control").covariances[0]
+    assert np.sqrt(np.diag(spread)[:3]).min() > 100
 
 
 def test_four_units_of_which_three_moved() -> None:
