@@ -153,7 +153,16 @@ def look(command: tuple[str, ...]) -> tuple[int, str, int]:
     else:
         told = CliRunner().invoke(app, [*command, "--quiet"])
         code, words = told.exit_code, told.stderr
-    return code, words, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+    return code, words, peak_memory()
+
+
+def peak_memory() -> int:
+    """Most memory that this process ever took, bytes; without that of the process that started it, which ``ru_maxrss`` counts too."""
+    status = Path("/proc/self/status")
+    if not status.is_file():
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+    peak = next(line for line in status.read_text().splitlines() if line.startswith("VmHWM:"))
+    return int(peak.split()[1]) * 1024
 
 
 def judged(code: int, words: str) -> str:
