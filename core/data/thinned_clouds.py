@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import os
 import time
+from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
 
@@ -17,9 +18,10 @@ from numpy.typing import NDArray
 
 from ..common.arrays import FloatArray
 from ..common.atomic_files import temporary_beside
-from ..common.errors import OutputError
+from ..common.errors import InputError, OutputError
 from ..common.patch_means import Means, PatchMeans
 from ..common.user_cache import cache_folder
+from .las_files import read_header
 
 RADIUS_RATIO, MOST_RADIUS_RATIO = 0.0125, 0.03
 """Least radius of the patches that means are taken of, as a share of the unit's height: half the edge of the elements in which units are
@@ -29,6 +31,8 @@ RADIUS_IN_NOISE = 6.0
 point goes, and means become noisier than those of so many points are (by 13 % at 5, by 5 % at 7)."""
 LEAST_POINTS = 16
 """A tile is thinned where a patch has so many points or more; below that, reading all costs little."""
+LARGE = 2_000_000
+"""Points of a cloud from which it is thinned: less takes little time as it is, and a weak unit may depend on any of its points."""
 PART = 100_000
 """Points after which it is asked anew whether a tile can be so dense."""
 UNUSED_DAYS = 30
@@ -38,6 +42,17 @@ UNUSED_DAYS = 30
 def patch_radius(height: float) -> float:
     """Least radius of patches for units of a height in metres."""
     return RADIUS_RATIO * height
+
+
+def is_large(paths: Sequence[Path]) -> bool:
+    """Whether tiles hold so many points together that thinning them saves time; those that cannot be read count as empty."""
+    total = 0
+    for path in paths:
+        with contextlib.suppress(InputError, OutputError):
+            total += read_header(path).count
+        if total >= LARGE:
+            return True
+    return False
 
 
 class Thinning:

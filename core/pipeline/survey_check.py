@@ -32,7 +32,7 @@ from ..data.plausibility import (
 )
 from ..data.point_tables import read_targets
 from ..data.survey import Epoch, LayerFile, Survey
-from ..data.thinned_clouds import patch_radius
+from ..data.thinned_clouds import is_large, patch_radius
 from ..data.tiles import TileInfo, inspect_tile, stray_place, without_strays
 from ..data.trajectory import read_stations, read_trajectory
 from ..deformation.validation import read_check
@@ -167,7 +167,8 @@ def first_error(findings: Sequence[Finding]) -> InputError | None:
 def _looks(epoch: Epoch, survey_crs: str, height: float, feedback: Feedback) -> Iterator[Finding]:
     """Verdicts on the tiles of an epoch one after the other; some are looked through at once, as decompression lets other threads go on."""
     with ThreadPoolExecutor(min(MOST_LOOKS, os.cpu_count() or 1)) as pool:
-        looks = [pool.submit(_look_at, path, epoch, survey_crs, height, feedback) for path in epoch.tiles]
+        patch = patch_radius(height) if is_large(epoch.tiles) else 0.0
+        looks = [pool.submit(_look_at, path, epoch, survey_crs, level_for(height), patch, feedback) for path in epoch.tiles]
         try:
             for look in looks:
                 feedback.check()
@@ -176,11 +177,10 @@ def _looks(epoch: Epoch, survey_crs: str, height: float, feedback: Feedback) -> 
             pool.shutdown(cancel_futures=True)
 
 
-def _look_at(path: Path, epoch: Epoch, survey_crs: str, height: float, feedback: Feedback) -> Finding:
+def _look_at(path: Path, epoch: Epoch, survey_crs: str, level: int, patch: float, feedback: Feedback) -> Finding:
     """Verdict on one tile by itself."""
     try:
         stated = {"tiles_crs": epoch.tiles_crs, "undeclared_crs": epoch.undeclared_crs}
-        level, patch = level_for(height), patch_radius(height)
         tile = inspect_tile(path, survey_crs, **stated, level=level, patch=patch, is_cancelled=feedback.is_cancelled)
         if epoch.trajectory is not None and not tile.has_time and tile.used:
             raise InputError(

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.data import thinned_clouds
-from tetratrack.core.data.thinned_clouds import Thinning, patch_radius
+from tetratrack.core.data.thinned_clouds import LARGE, Thinning, is_large, patch_radius
 from tetratrack.core.data.tiles import Window, inspect_tile, read_points, used_points
 
 HEIGHT = 2.5
@@ -130,3 +130,11 @@ def test_patches_grow_with_the_noise():
         thinning = Thinning(patch_radius(HEIGHT), len(xyz))
         thinning.add(xyz, np.zeros(len(xyz), dtype=np.uint16), np.zeros(len(xyz)))
         assert (thinning.radius > 1.2 * patch_radius(HEIGHT)) == wide
+
+
+def test_large_clouds_are_told_by_their_headers(tmp_path):
+    """All tiles together; what is no tile counts nothing."""
+    path = write(tmp_path / "one.laz", wavy(LARGE // 10))
+    (tmp_path / "no.laz").write_bytes(b"nothing")
+    assert not is_large([path] * 9)
+    assert is_large([path, tmp_path / "no.laz", tmp_path / "missing.laz", *[path] * 9])
