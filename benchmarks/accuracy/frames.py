@@ -132,7 +132,7 @@ def main() -> None:
         "targets every (m)",
         "rigid: RMSE (mm), found",
         "stable: RMSE, z², false, found",
-        "control: RMSE, z², false",
+        "control: RMSE, z², false (of each coast)",
     )
     print("| " + " | ".join(columns) + " |")
     print("| --- | --- | --- | --- | --- | --- |")
@@ -146,6 +146,8 @@ def main() -> None:
                 keys = sorted({key for coast in coasts for key in coast})
                 mean = {key: float(np.mean([coast[key] for coast in coasts if key in coast])) for key in keys}
                 rows.append({"amplitude": amplitude, "waves": list(waves), "station": station, **mean})
+                flags = [coast["control_false"] for coast in coasts if "control_false" in coast]
+                rows[-1] |= {"control_false_least": min(flags, default=math.nan), "control_false_most": max(flags, default=math.nan)}
                 print(line_of(rows[-1]), flush=True)
     if arguments.json:
         arguments.json.write_text(json.dumps(rows, indent=1), encoding="utf-8")
@@ -157,7 +159,8 @@ def line_of(row: dict[str, Any]) -> str:
     """Row of the table."""
     control = "–"
     if "control_rmse" in row and row["station"]:
-        control = f"{row['control_rmse']:.1f}, {row['control_normalised']:.2f}, {row['control_false']:.1%}"
+        each = f"{100 * row['control_false_least']:.1f}–{100 * row['control_false_most']:.1f}"
+        control = f"{row['control_rmse']:.1f}, {row['control_normalised']:.2f}, {row['control_false']:.1%} ({each})"
     station = f"{row['station']:.0f}" if row["station"] else "never"
     return (
         f"| {100 * row['amplitude']:.0f} | {row['waves'][0]:.0f}–{row['waves'][1]:.0f} | {station} | "

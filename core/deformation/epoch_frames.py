@@ -185,7 +185,7 @@ def estimate_frames(
     known = [t.positions for t in targets if t is not None]
     basis = FieldBasis.over(model, np.vstack([places, *known]), RESOLUTION_HEIGHTS * height)
     bend, noise = _target_factors(model, [t for t in targets if t is not None])
-    changes = _changes_unlike_the_ground(pairs, targets, bendings, basis, noise, height)
+    changes = _changes_unlike_the_ground(pairs, targets, bendings, model, noise, height)
     basis = basis.scaled_by(bend)
     precision = basis.precision()
     degrees = max(float(np.ptp(model.scaled(places)[:, 0])), FEWEST_DEGREES)
@@ -233,7 +233,7 @@ def _changes_unlike_the_ground(
     pairs: Sequence[PairShifts],
     targets: Sequence[TargetShifts | None],
     bendings: Sequence[Bending | None],
-    basis: FieldBasis,
+    model: FieldModel,
     noise: float,
     height: float,
 ) -> list[FloatArray]:
@@ -252,17 +252,18 @@ def _changes_unlike_the_ground(
             continue
         places = np.column_stack([cells.places[resting], np.full(len(resting), float(np.mean(pair.places[:, 2])))])
         weights = np.stack([np.diag(1 / v) for v in cells.variances[resting]])
-        between = basis.scaled_by(math.sqrt(2))
+        # on nodes of its own: the centre of a cell may lie where no unit and so no node of the frames is
+        between = FieldBasis.over(model.times(math.sqrt(2)), np.vstack([places, first.positions]), RESOLUTION_HEIGHTS * height)
         ground = FieldEstimate.from_observations(between, between.precision(), places, cells.values[resting], weights)
         a, b = _numbers_of_common(first, second)
         p_values = p_values_of_changes(
             common.values,
             first.variances[a] + second.variances[b],
             ground.at(first.positions[a]),
-            basis.model.length * basis.model.scaled(first.positions[a])[:, 0],
+            model.length * model.scaled(first.positions[a])[:, 0],
             STATION_HEIGHTS * height,
         )
-        alone = [_outlier_p_values(basis.model, own, noise, np.ones(len(own.ids), dtype=bool))[1] for own in (first, second)]
+        alone = [_outlier_p_values(model, own, noise, np.ones(len(own.ids), dtype=bool))[1] for own in (first, second)]
         later = alone[1][b] < alone[0][a]
         for epoch, numbers, blamed in ((number, a, ~later), (number + 1, b, later)):
             found[epoch][numbers[blamed]] = np.minimum(found[epoch][numbers[blamed]], p_values[blamed])

@@ -58,11 +58,18 @@ def frame_settings(tracking: Tracking, epoch: int) -> dict[str, Any]:
 
 
 def _stations(places: FloatArray, height: float) -> tuple[FloatArray, FloatArray]:
-    """(k, 3) centroids of the units of each stretch of three heights, and where each lies along the structure, metres."""
+    """(k, 3) unit in the middle of each stretch of three heights, and where the stretch lies along the structure, metres.
+
+    A field is known where units are: the middle itself may lie in a gap.
+    """
     _, along, _ = stretches_of(places, height)
     number = (along / (3 * height)).astype(np.int64)
-    found = np.unique(number)
-    return np.array([places[number == k].mean(axis=0) for k in found]), np.array([along[number == k].mean() for k in found])
+    points, middles = [], []
+    for k in np.unique(number):
+        own = places[number == k]
+        points.append(own[np.argmin(np.linalg.norm(own - own.mean(axis=0), axis=1))])
+        middles.append(along[number == k].mean())
+    return np.array(points), np.array(middles)
 
 
 def _rows(known: LocalMotions, points: FloatArray, along: FloatArray, origin: FloatArray, base: Row) -> list[Row]:

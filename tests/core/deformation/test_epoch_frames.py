@@ -142,6 +142,13 @@ def test_a_sliding_stretch_without_targets_moves_against_its_neighbours_alone() 
     assert np.mean(result.control_p_values[sliding] < 0.05) < 0.1
 
 
+def test_the_middle_of_a_cell_may_lie_where_no_unit_is() -> None:
+    """Cells of ground are places of their own, between units, for which a field over units alone has no nodes."""
+    frames = frames_of(bent_coast(101, rms=0.05, station=50.0))
+    assert frames is not None
+    assert all(error is not None for error in frames.errors)
+
+
 def test_badly_measured_targets_of_a_single_epoch_are_no_bend() -> None:
     """Targets 3 times worse than stated scatter: independent errors, not a smooth field."""
     rng = np.random.default_rng(3)
