@@ -21,7 +21,7 @@ from ..common.errors import InputError, TetratrackError
 from ..common.input_files import check_regular
 from .other_clouds import as_las
 
-CHUNK_POINTS = 1_000_000
+CHUNK_POINTS = 250_000
 """Points decompressed at a time; bounds memory whatever the tile's size."""
 
 POINT_LENGTHS = (20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67)
