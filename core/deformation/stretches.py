@@ -157,8 +157,8 @@ def _between_stretches(means: Sequence[_MeanMotion], others: Sequence[bool]) -> 
 
     largest = float(np.max(np.sum(motions**2, axis=1)))
     variance = float(brentq(misfit, 0.0, largest)) if misfit(0.0) > 0 else 0.0
-    # stretches overlap by half
-    return variance, 0.5 * len(chosen)
+    # stretches overlap by half, each has three components, and a median knows a variance about as well as two thirds of its values do
+    return variance, float(len(chosen))
 
 
 def _frame_part(
