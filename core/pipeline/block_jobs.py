@@ -182,12 +182,13 @@ class FitJob:
             else:
                 used = result.weights > 0
                 pose = result.pose
+                on_disc = used & (result.parts == END_DISC)
                 if result.legs_visible == 1:
                     leg = int(np.argmax(np.bincount(result.legs[used])))
-                    # the few points that chance puts on the other legs would settle a twist that nothing shows
-                    kept = result.legs == leg
-                    # its twist was settled by the room among its neighbours; its points only let it drift
-                    pose = pose.twisted_as(_pose(table["poses"][k]), unit.leg_directions[leg])
+                    # the few points that chance puts on the sides of other legs would settle a twist that nothing shows; end discs show it
+                    kept = (result.legs == leg) | on_disc
+                    if not on_disc[result.legs != leg].any():  # room among its neighbours settled its twist: its points let it drift
+                        pose = pose.twisted_as(_pose(table["poses"][k]), unit.leg_directions[leg])
                 table["poses"][k] = _row(pose)
                 table["shape"][k] = result.radius, result.gradient
                 table["covariance"][k] = result.covariance
@@ -199,8 +200,7 @@ class FitJob:
                 table["distance_median"][k] = _median_distance(points[used], result.pose, result.unit(unit))
                 table["observed"][k, 0] = table["coverage"][k] >= OBSERVED_CENTRE_COVERAGE
                 table["observed"][k, 1:] = _joints_observed(points, result, pose, unit)
-                on_disc = result.legs[used & (result.parts == END_DISC)]
-                table["discs"][k] = np.bincount(on_disc[on_disc >= 0], minlength=4) > 0
+                table["discs"][k] = np.bincount(result.legs[on_disc], minlength=4) > 0
             parts.append(points[kept])
             sources.append(source["sources"][own][kept])
         ids = [np.unique(own) for own in sources]

@@ -211,21 +211,13 @@ def test_an_adjustment_that_leaves_the_unit_is_made_anew_with_its_end_disc():
         adjusted_nearby(cloud, unit, elsewhere, options, None)
 
 
-def test_points_that_chance_puts_on_hidden_legs_do_not_settle_a_twist(tmp_path: Path) -> None:
-    unit = UnitType.tetrapod(2.3)
-    rng = np.random.default_rng(3)
-    pose = Pose(np.array([1.0, 2.0, 0.5]), Rotation.random(random_state=3).as_matrix())
-    points, _, leg = sample_surface(unit, 8000, rng)
-    axial = points @ unit.leg_directions[1]
-    shown = (leg == 1) & (axial > 0.25 * unit.height)
-    stray = np.flatnonzero(leg == 2)[:5]
-    cloud = pose.to_frame(points[np.append(np.flatnonzero(shown), stray)])
-    cloud += rng.normal(0, 0.004, cloud.shape)
+def _save_segmented(path: Path, pose: Pose, cloud: np.ndarray) -> None:
+    """Result of the segmentation of one unit of which the sides of one leg are seen."""
     one = {name: np.ones(1) for name in ("score", "coverage", "misfit", "supported")}
     one |= {"leg_states": np.full((1, 4), "unseen"), "leg_missing": np.zeros((1, 4)), "leg_broken": np.zeros((1, 4))}
     whole = {"type": np.zeros(1, dtype=np.int64), "legs_visible": np.ones(1, dtype=np.int64), "status": np.array(["found"], dtype="U9")}
     save_arrays(
-        tmp_path / "segment.npz",
+        path,
         one
         | whole
         | {
@@ -236,6 +228,19 @@ def test_points_that_chance_puts_on_hidden_legs_do_not_settle_a_twist(tmp_path: 
             "offsets": np.array([0, len(cloud)]),
         },
     )
+
+
+def test_points_that_chance_puts_on_hidden_legs_do_not_settle_a_twist(tmp_path: Path) -> None:
+    unit = UnitType.tetrapod(2.3)
+    rng = np.random.default_rng(3)
+    pose = Pose(np.array([1.0, 2.0, 0.5]), Rotation.random(random_state=3).as_matrix())
+    points, _, leg = sample_surface(unit, 8000, rng)
+    axial = points @ unit.leg_directions[1]
+    shown = (leg == 1) & (axial > 0.25 * unit.height)
+    stray = np.flatnonzero(leg == 2)[:5]
+    cloud = pose.to_frame(points[np.append(np.flatnonzero(shown), stray)])
+    cloud += rng.normal(0, 0.004, cloud.shape)
+    _save_segmented(tmp_path / "segment.npz", pose, cloud)
     fitted = FitJob(tmp_path / "segment.npz", (0,), (unit,), ((0.0, 0.0),)).run()
     kept = pose.to_body(fitted["points"])
     assert fitted["legs_visible"].tolist() == [1]
@@ -246,3 +251,22 @@ def test_points_that_chance_puts_on_hidden_legs_do_not_settle_a_twist(tmp_path: 
     assert len(fitted["sources"]) == len(kept)
     assert fitted["source_ids"].tolist() == [3, 7]
     assert fitted["source_offsets"].tolist() == [0, 2]
+
+
+def test_the_end_of_another_leg_is_kept_with_the_only_leg_whose_sides_are_seen(tmp_path: Path) -> None:
+    unit = UnitType.tetrapod(2.3)
+    rng = np.random.default_rng(4)
+    pose = Pose(np.array([1.0, 2.0, 0.5]), Rotation.random(random_state=4).as_matrix())
+    points, normals, leg = sample_surface(unit, 8000, rng)
+    along = points @ unit.leg_directions.T
+    end = (leg == 2) & (np.sum(normals * unit.leg_directions[2], axis=1) > 0.99)
+    shown = (leg == 1) & (along[:, 1] > 0.25 * unit.height) & (along[:, 1] < 0.5 * unit.height)
+    cloud = pose.to_frame(points[shown | end])
+    _save_segmented(tmp_path / "segment.npz", pose, cloud + rng.normal(0, 0.004, cloud.shape))
+    fitted = FitJob(tmp_path / "segment.npz", (0,), (unit,), ((0.0, 0.0),)).run()
+    kept = np.argmax(pose.to_body(fitted["points"]) @ unit.leg_directions.T, axis=1)
+    assert fitted["legs_visible"].tolist() == [1]
+    assert fitted["discs"][0].tolist() == [False, False, True, False]
+    # but for its rim
+    assert np.count_nonzero(kept == 2) > 0.5 * end.sum()
+    assert np.linalg.norm(fitted["poses"][0, :3] + fitted["origin"] - pose.centre) < 0.005
