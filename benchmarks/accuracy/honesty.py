@@ -4,7 +4,8 @@
 
 For each folder one line: right and wrong units that count, right ones called uncertain; of resting and of moved units the median and 90th
 percentile of the error (mm), the mean squared normalised error per coordinate (1 is honest), the share of coordinates within 1.96 standard
-deviations, and units flagged. ``--seeds`` simulates as many surveys of castings seen from other sides, instruments in turn.
+deviations, and units flagged; then broken units with a leg named broken, of all that are found, and legs named broken of the others' legs.
+``--seeds`` simulates as many surveys of castings seen from other sides, instruments in turn.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from __future__ import annotations
 import argparse
 import csv
 import sqlite3
+import sys
 import tempfile
 from pathlib import Path
 
@@ -57,6 +59,24 @@ def matched(result: Path, folder: Path) -> tuple[dict[tuple[str, str], str], lis
         else:
             counts[0 if right else 1] += 1
     return names, counts
+
+
+def broken_legs(result: Path, folder: Path, names: dict[tuple[str, str], str]) -> str:
+    """Units that are ``broken`` in truth with a leg named so, and legs named broken of units that are whole, each of those found."""
+    broken = {
+        (row["unit_id"], row["epoch"]): row["broken"] == "1" for row in csv.DictReader((folder / "truth/units.csv").open()) if row["E"]
+    }
+    counts = np.zeros((2, 2), dtype=int)
+    with sqlite3.connect(result) as connection:
+        for unit, epoch, *legs in connection.execute(
+            "select unit_id, epoch, leg1, leg2, leg3, leg4 from units where status != 'uncertain'"
+        ):
+            name = names.get((unit, epoch))
+            if name is not None:
+                is_broken = int(broken[name, epoch])
+                named = legs.count("broken")
+                counts[is_broken] += (min(named, 1), 1) if is_broken else (named, 4)
+    return f"{folder.name}: broken legs named {counts[1, 0]} of {counts[1, 1]}, whole legs called broken {counts[0, 0]} of {counts[0, 1]}"
 
 
 def judged(result: Path, folder: Path) -> list[str]:
@@ -111,6 +131,7 @@ def main() -> None:
                 run_survey(read_survey(folder / "survey.toml"), result, RunOptions(workers=2), Feedback())
             for line in judged(result, folder):
                 print(f"| {line} |", flush=True)
+            print(broken_legs(result, folder, matched(result, folder)[0]), file=sys.stderr, flush=True)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from scipy.linalg import block_diag
 from scipy.spatial import cKDTree
 
-from ..common.arrays import FloatArray, IntArray
+from ..adjustment.shape_effects import PRIOR_SIZE_SD
+from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.robust import sd_of_deviations
 from ..model.feature_points import FEATURES, FeaturePoints, feature_points
 from ..model.mould import Mould
@@ -55,8 +56,12 @@ SAME_POINT = 1e-4
 """Distance in metres below which a point of the cloud is the point of a unit."""
 LEAST_SIZE_SPREAD = 0.003
 """Relative standard deviation of the size of units from one set of moulds, at the least."""
+SURE_SCORE = 0.99
+"""Score from which the evidence for a unit speaks for itself: its size is held against what castings of any moulds differ by."""
 ODD_SIZE = 4.5
 """Deviation of a unit's size from that of the others, in standard deviations, above which something else was fitted."""
+MOST_OPEN_HEIGHTS = 0.1
+"""Standard deviation of a centre, in unit heights, beyond which there is no pose: recovered units that are right stay below a fortieth."""
 RECOVERED_SCORE = 0.8
 """Probability below which one detection does not vouch for the unit in an epoch where it was not detected."""
 
@@ -154,7 +159,8 @@ def track(
     tracks, seen, states = join_relocated(tracks, seen, states, identities.shifts)
     joint, numbers = _adjust(seen, {unit: mould for unit, mould in zip(units, moulds) if mould is not None})
     epochs = [_with_mean_offset(e, k, joint) for k, e in enumerate(epochs)]
-    odd = _odd_sizes(joint, np.array([t.kind for t in tracks], dtype=np.int64), units)
+    sure = np.array([all(s.score >= SURE_SCORE for s in own.values()) for own in seen], dtype=np.bool_)
+    odd = _odd_sizes(joint, np.array([t.kind for t in tracks], dtype=np.int64), units, sure)
     tracked = [_states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
     known = TrackedUnits(types=units, tracks=tracks, states=tracked, joint=joint, numbers=numbers)
     frames = _frames(known, epochs, frame)
@@ -337,10 +343,11 @@ def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) 
     return replace(epoch, offset_variance=mean_offset_variance([offset for (e, _), offset in joint.offsets.items() if e == number]))
 
 
-def _odd_sizes(joint: JointAdjustment, kinds: IntArray, units: Sequence[UnitType]) -> frozenset[int]:
+def _odd_sizes(joint: JointAdjustment, kinds: IntArray, units: Sequence[UnitType], sure: BoolArray) -> frozenset[int]:
     """Units whose size differs from that of their kind by more than castings from one set of moulds do.
 
-    The points of a leg that are taken for more, or for another one, make the unit shrink or grow.
+    The points of a leg that are taken for more, or for another one, make the unit shrink or grow. Units that are ``sure`` are held against
+    what castings are known to differ by, at least: forty units may tell a spread a third too small.
     """
     scales, sds = (np.array([values[k] for k in range(len(kinds))]) for values in (joint.scales, joint.scale_sds))
     odd: list[int] = []
@@ -354,7 +361,7 @@ def _odd_sizes(joint: JointAdjustment, kinds: IntArray, units: Sequence[UnitType
         shares = np.abs(scales[own] - np.median(scales[own])) / np.sqrt(told)
         # the unit that is sought must not hide behind the spread that it makes itself; a median of few may be a third too small
         spread = min(surface.size_sd, max(1.5 * sd_of_deviations(shares), LEAST_SIZE_SPREAD))
-        away = shares / spread
+        away = shares / np.where(sure[own], max(spread, PRIOR_SIZE_SD), spread)
         odd += own[away > ODD_SIZE * max(sd_of_deviations(away), 1.0)].tolist()
     return frozenset(odd)
 
@@ -369,7 +376,7 @@ def _states_of(
     epochs: int,
     odd: bool,
 ) -> dict[int, TrackedUnit]:
-    tracked = {}
+    tracked: dict[int, TrackedUnit] = {}
     first = min(seen)
     confirmed = not odd and any(s.certain for s in seen.values())
     for epoch in range(epochs):
@@ -377,8 +384,13 @@ def _states_of(
             number = numbers[unit, epoch]
             place = joint.order[unit].index(number)
             block = slice(6 * place, 6 * place + 6)
+            own = joint.covariances[unit][block, block]
+            left_open = math.sqrt(max(np.linalg.eigvalsh(own[:3, :3])[-1], 0.0)) > MOST_OPEN_HEIGHTS * seen[epoch].shape.height
+            if left_open and epoch not in track.rows:
+                tracked |= {epoch: _not_seen("hidden", joint.scales[unit])} if epoch > first else {}
+                continue
             vouched = epoch in track.rows or seen[epoch].score >= RECOVERED_SCORE
-            status = "found" if confirmed and vouched else "uncertain"
+            status = "found" if confirmed and vouched and not left_open else "uncertain"
             if epoch in track.relocated:
                 status = "relocated"
             elif confirmed and epoch == first > 0 and states.get(epoch - 1) == "empty":
@@ -386,7 +398,7 @@ def _states_of(
             tracked[epoch] = TrackedUnit(
                 row=track.rows.get(epoch),
                 pose=joint.poses[number],
-                covariance=joint.covariances[unit][block, block],
+                covariance=own,
                 scale=1 + joint.scales[unit],
                 status=status,
                 points=int(joint.used[number]),
@@ -394,9 +406,14 @@ def _states_of(
                 legs=seen[epoch].legs,
             )
         elif epoch > first and epoch in states:
-            status = "lost" if states[epoch] == "empty" else "unseen"
-            tracked[epoch] = TrackedUnit(row=None, pose=None, covariance=None, scale=1 + joint.scales[unit], status=status, points=0)
+            tracked[epoch] = _not_seen(states[epoch], joint.scales[unit])
     return tracked
+
+
+def _not_seen(state: str, scale: float) -> TrackedUnit:
+    """A unit in an epoch that does not show it; ``scale`` is the relative difference of its size."""
+    status = "lost" if state == "empty" else "unseen"
+    return TrackedUnit(row=None, pose=None, covariance=None, scale=1 + scale, status=status, points=0)
 
 
 def _cross_checks(

@@ -345,7 +345,8 @@ def covariances_of(arrays: Mapping[str, NDArray[Any]], own: slice, beams: BeamNo
 
 def _leg_ends(cloud: PointCloud, table: Mapping[str, NDArray[Any]], units: Sequence[UnitType]) -> dict[str, NDArray[Any]]:
     """``LEG_COLUMNS`` of the units of a table, from all points around them."""
-    from ..segmentation.leg_ends import LegEnds, leg_ends
+    from ..segmentation.leg_ends import LegEnds, leg_ends, sides_to_end
+    from ..segmentation.seen_through import SeenThrough
     from ..segmentation.sight_lines import SightLines
     from ..segmentation.surface_elements import surface_noise
 
@@ -353,15 +354,17 @@ def _leg_ends(cloud: PointCloud, table: Mapping[str, NDArray[Any]], units: Seque
     found = [LegEnds.unseen() for _ in poses]
     tree = cKDTree(cloud.xyz)
     for kind in np.unique(kinds):
-        unit, own = units[int(kind)], np.flatnonzero(kinds == kind)
+        unit, of_kind = units[int(kind)], kinds == kind
         noise = surface_noise(cloud.xyz, unit.height) if len(cloud) >= 50 else 0.0
-        lines = SightLines(cloud.xyz, tree, poses[own], unit, noise)
-        for place, row in enumerate(own):
-            around = tree.query_ball_point(poses[row, :3], LEG_REACHES * unit.reach)
-            # a pose that may be wrong would call any surface that crosses it a face of fracture
-            if around and table["status"][row] == "found":
-                near = _pose(poses[row]).to_body(cloud.xyz[around])
-                found[row] = leg_ends(near, unit, noise, partial(lines.of, place))
+        lines = SightLines(cloud.xyz, tree, poses[of_kind], unit, noise)
+        # a pose that may be wrong would call any surface that crosses it a face of fracture
+        own = np.flatnonzero(of_kind & (np.asarray(table["status"]) == "found"))
+        near = [_pose(poses[row]).to_body(cloud.xyz[tree.query_ball_point(poses[row, :3], LEG_REACHES * unit.reach)]) for row in own]
+        whole = np.array([sides_to_end(body, unit, noise) for body in near]).reshape(-1, 4)
+        through = SeenThrough(cloud.xyz, cloud.source_id, poses[own], whole, unit, noise)
+        places = np.cumsum(of_kind) - 1
+        for k, (row, body) in enumerate(zip(own, near, strict=True)):
+            found[row] = leg_ends(body, unit, noise, partial(lines.of, int(places[row])), partial(through.through, k))
     columns = ("states", "missing", "broken")
     return {name: np.array([getattr(f, c) for f in found]).reshape(-1, 4) for name, c in zip(LEG_COLUMNS, columns, strict=True)}
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from datetime import UTC, datetime
 from functools import cache
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -13,8 +14,10 @@ from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
 from tetratrack.core.deformation.displacement import grades_from
 from tetratrack.core.deformation.fitted_unit import FittedUnit
+from tetratrack.core.deformation.identity import Track
+from tetratrack.core.deformation.joint_records import JointAdjustment
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
-from tetratrack.core.deformation.tracking import Surroundings, Tracking, track
+from tetratrack.core.deformation.tracking import Surroundings, Tracking, _odd_sizes, _states_of, track
 from tetratrack.core.deformation.unit_clouds import UnitCloud
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.pipeline.displacement_table import (
@@ -368,3 +371,46 @@ def test_stretches_state_their_common_motion() -> None:
             assert stretch.p_value > 0.001
             assert np.linalg.norm(stretch.motion) < 0.02
             assert stretch.detectable > 2 * np.sqrt(np.linalg.eigvalsh(stretch.covariance)[-1])
+
+
+@pytest.mark.parametrize(("open_epoch", "detected", "status"), [(1, False, "unseen"), (1, True, "uncertain"), (0, False, None)])
+def test_a_pose_that_its_points_leave_open_is_none(open_epoch: int, detected: bool, status: str | None) -> None:
+    """A unit looked up where another epoch predicts it, which its adjustment lets go, has no pose there; a detected one is uncertain."""
+    sure = FittedUnit(
+        pose=Pose(np.zeros(3), np.eye(3)),
+        shape=UNIT,
+        kind=0,
+        certain=True,
+        discs=ALL_DISCS,
+        cloud=UnitCloud.held(*seen_nothing()),
+        score=1.0,
+    )
+    spread = np.concatenate([np.full(6, 1e-6), np.full(6, 1e-6)])
+    spread[6 * open_epoch : 6 * open_epoch + 3] = (0.3 * UNIT.height) ** 2
+    joint = cast(
+        JointAdjustment,
+        SimpleNamespace(
+            covariances={0: np.diag(spread)}, order={0: (0, 1)}, poses=(sure.pose, sure.pose), scales={0: 0.0}, used=np.array([90, 90])
+        ),
+    )
+    rows = {e: 0 for e in (0, 1) if detected or e != open_epoch}
+    track = Track(kind=0, rows=rows, symmetries={}, ambiguous=frozenset(), relocated=frozenset())
+    found = _states_of(0, track, {0: sure, 1: sure}, {}, joint, {(0, 0): 0, (0, 1): 1}, 2, False)
+    assert found[1 - open_epoch].status == "found"
+    assert (found[open_epoch].status if open_epoch in found else None) == status
+    assert status != "unseen" or found[open_epoch].pose is None
+
+
+def seen_nothing() -> tuple[np.ndarray, np.ndarray]:
+    return np.empty((0, 3)), np.empty(0, dtype=np.uint16)
+
+
+def test_sizes_of_sure_units_are_held_against_what_castings_differ_by() -> None:
+    """2 % of size is odd in a survey of alike units, unless the unit itself is beyond doubt."""
+    scales = dict(enumerate([*np.random.default_rng(2).normal(0, 0.002, 20), 0.02]))
+    joint = cast(
+        JointAdjustment,
+        SimpleNamespace(scales=scales, scale_sds=dict.fromkeys(scales, 1e-4), surfaces={UNIT: SimpleNamespace(size_sd=0.003)}),
+    )
+    for sure, odd in ((False, {20}), (True, set())):
+        assert _odd_sizes(joint, np.zeros(21, dtype=np.int64), [UNIT], np.full(21, sure)) == odd

@@ -1,0 +1,248 @@
+"""Rays that pass through where the end of a leg should be.
+
+The beam of every point was free from the sensor to the point. Where points of one strip or station lie behind the end of a leg, as seen
+from the sensor, the end is not there. Where the sensor stood is told by the units themselves: no beam of the source may enter what surely
+stands, the shafts of the legs, which breaks leave, and the legs that were seen to be whole. All places are kept from which hardly more
+beams would enter than from the best; an end is missed only if beams pass through its place whichever of them the sensor stood at.
+Sources that mix many places, as clouds of images do, have no such place and say nothing.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from ..common.arrays import BoolArray, FloatArray
+from ..common.kernels import kernel
+from ..common.voxels import thin
+from ..model.unit_types import UnitType
+
+STANDING = 0.6
+"""Share of a leg that breaks leave."""
+ROUNDED = 0.95
+"""Share of a whole leg that rounded tips leave."""
+AROUND_HEIGHTS = 2.0
+"""Distance from a unit's centre within which points are what lies behind it, and units stand in the way."""
+VOXEL_HEIGHTS = 0.03
+DISTANCES_HEIGHTS = (2.5, 4.0, 7.0, 25.0)
+"""Distances of a sensor from a unit that are tried: from a station on the wall beside it to a flight."""
+NEARER = 0.85
+"""Factor by which a place nearer or farther than a tried one is tried too."""
+DIRECTIONS = 320
+"""Over the sphere, eleven degrees apart."""
+ROUNDS = ((150, 0.33, 0.12, 4.0), (500, 0.5, 0.02, 1.5), (1000, 1.0, 0.008, 0.0))
+"""Points of a source whose beams are asked, from which share of all, the nearest (the unit shapes what lies about it, what lies beyond
+tells finer); share of them that may enter what stands (the places tried are some degrees off; then strays, mixed pixels and what poses
+err), and how many degrees beside the places that are left the next ones are tried."""
+FEWEST_POINTS = 150
+GOLDEN = 0.618034
+"""Fractional part of the golden section: multiples of it fall evenly."""
+MOST_PLACES = 300
+"""Places beyond which a source does not tell where it stood: too few of its beams pass by what stands."""
+MARGIN_HEIGHTS = 0.02
+"""By which a solid is thinner than nominal, as moulds, poses and points err."""
+MARGIN_IN_NOISE = 1.5
+CHORD_HEIGHTS = 0.05
+"""Length inside a solid from which a beam enters it."""
+
+
+class Passing(NamedTuple):
+    """Beams through the place of an end: how many, and where along the leg they come nearest to the centre (metres): it breaks before."""
+
+    beams: int
+    place: float
+
+
+class SeenThrough:
+    """Beams through the legs of the units of one cloud."""
+
+    def __init__(
+        self, points: FloatArray, sources: NDArray[Any], poses: FloatArray, whole: BoolArray, unit: UnitType, noise: float
+    ) -> None:
+        """Look at (n, 3) points of a cloud, metres, and the (n,) strips or stations they come from, with units of one type.
+
+        ``poses`` are (k, 12) centres and row-major rotations, ``whole`` (k, 4) legs that are known to be whole, and ``noise`` the standard
+        deviation of a point across the surface, metres.
+        """
+        self._unit, self._poses = unit, poses
+        self._by_source = []
+        for source in np.unique(sources):
+            own, _ = thin(points[sources == source], VOXEL_HEIGHTS * unit.height)
+            self._by_source.append((own, cKDTree(own)))
+        self._margin = max(MARGIN_HEIGHTS * unit.height, MARGIN_IN_NOISE * noise)
+        self._lasts = np.where(whole, ROUNDED, STANDING) * unit.leg_length
+        self._axes = np.einsum("kij,lj->kli", poses[:, 3:].reshape(-1, 3, 3), unit.leg_directions)
+        self._centres = cKDTree(poses[:, :3])
+        self._known: dict[int, list[tuple[FloatArray, FloatArray]]] = {}
+
+    def through(self, number: int, leg: int, first: float) -> Passing:
+        """Beams that pass through a unit's leg between ``first`` (metres along it) and its end."""
+        axis, last = self._axes[number, leg], self._unit.leg_length - self._margin
+        count, places = 0, [np.empty(0)]
+        for points, stands in self._views(number):
+            fewest = np.asarray(_least_passing(points, stands, axis, first, last, *self._cone()))
+            count += len(fewest)
+            places.append(fewest)
+        return Passing(count, float(np.quantile(np.concatenate(places), 0.02)) if count else 0.0)
+
+    def _cone(self) -> tuple[float, float, float]:
+        return self._unit.radius - self._margin, self._unit.gradient, CHORD_HEIGHTS * self._unit.height
+
+    def _views(self, number: int) -> list[tuple[FloatArray, FloatArray]]:
+        """Of each source that tells where it stood, its points and (m, 3) places it may have stood at, from the unit's centre."""
+        if number not in self._known:
+            centre, reach = self._poses[number, :3], AROUND_HEIGHTS * self._unit.height
+            near = self._centres.query_ball_point(centre, reach)
+            solids = self._poses[near, :3] - centre, self._axes[near], self._lasts[near]
+            views = []
+            for points, tree in self._by_source:
+                own = points[tree.query_ball_point(centre, reach)] - centre
+                if len(own) >= FEWEST_POINTS:
+                    stands = self._stands(own, solids)
+                    if len(stands):
+                        views.append((own, stands))
+            self._known[number] = views
+        return self._known[number]
+
+    def _stands(self, points: FloatArray, solids: tuple[FloatArray, FloatArray, FloatArray]) -> FloatArray:
+        """(m, 3) places from which the beams of points enter no solid, but for a few."""
+        height, reach = self._unit.height, self._unit.reach
+        tried = (_directions()[:, None, :] * (np.array(DISTANCES_HEIGHTS) * height)[:, None]).reshape(-1, 3)
+        nearest = points[np.argsort(np.sum(points**2, axis=1), kind="stable")]
+        for count, part, share, step in ROUNDS:
+            some = _spread(nearest[: max(int(part * len(nearest)), FEWEST_POINTS)], count)
+            tried = tried[_free(some, tried, *solids, reach, *self._cone(), int(share * len(some)))]
+            if len(tried) > MOST_PLACES:
+                return np.empty((0, 3))
+            if step > 0 and len(tried):
+                tried = _beside(tried, step)
+        return np.asarray(tried)
+
+
+def _spread(points: FloatArray, count: int) -> FloatArray:
+    """At most so many of (n, 3) points, evenly in their order but not in the order itself: beams of all are asked early."""
+    chosen = points[np.linspace(0, len(points) - 1, min(count, len(points))).astype(np.int64)]
+    return np.ascontiguousarray(chosen[np.argsort(np.arange(len(chosen)) * GOLDEN % 1.0)])
+
+
+def _beside(stands: FloatArray, step: float) -> FloatArray:
+    """(k, 3) of (n, 3) places, one nearer, one farther, and six around in directions that differ by ``step`` degrees; each but once."""
+    length = np.linalg.norm(stands, axis=1)[:, None]
+    towards = stands / length
+    first = np.cross(towards, np.where(np.abs(towards[:, :1]) < 0.9, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]))
+    first /= np.linalg.norm(first, axis=1)[:, None]
+    second = np.cross(towards, first)
+    ring = math.tan(math.radians(step)) * length
+    turns = [(math.cos(k * math.pi / 3), math.sin(k * math.pi / 3)) for k in range(6)]
+    places = np.vstack([stands, NEARER * stands, stands / NEARER, *(stands + ring * (c * first + s * second) for c, s in turns)])
+    length = np.linalg.norm(places, axis=1)[:, None]
+    keys = np.hstack([places / length / (0.7 * math.radians(step)), np.log(length) / -math.log(NEARER)])
+    return np.asarray(places[np.sort(np.unique(np.round(keys), axis=0, return_index=True)[1])])
+
+
+@lru_cache(maxsize=1)
+def _directions() -> FloatArray:
+    """(DIRECTIONS, 3) evenly over the sphere (Fibonacci lattice)."""
+    k = np.arange(DIRECTIONS) + 0.5
+    height, turn = 1 - 2 * k / DIRECTIONS, math.pi * (1 + math.sqrt(5)) * k
+    flat = np.sqrt(1 - height**2)
+    return np.column_stack([flat * np.cos(turn), flat * np.sin(turn), height])
+
+
+@kernel()
+def _inside(point: Any, beam: Any, axis: Any, first: float, last: float, radius: float, gradient: float) -> Any:
+    """Length of a beam from a point inside a frustum about an axis, and the place along the axis of the part nearest to the centre."""
+    px, py, pz = point
+    bx, by, bz = beam
+    axial = px * axis[0] + py * axis[1] + pz * axis[2]
+    lean = bx * axis[0] + by * axis[1] + bz * axis[2]
+    # |x|^2 - axial^2 <= (radius - gradient axial)^2 along the beam
+    thick = radius - gradient * axial
+    a = 1.0 - lean * lean * (1.0 + gradient * gradient)
+    b = px * bx + py * by + pz * bz - axial * lean + thick * gradient * lean
+    c = px * px + py * py + pz * pz - axial * axial - thick * thick
+    root = b * b - a * c
+    if root <= 0.0 or abs(a) < 1e-9:
+        return 0.0, 0.0
+    root = np.sqrt(root)
+    low, high = (-b - root) / a, (-b + root) / a
+    if a < 0.0:
+        # nearly along the axis: inside the cone before its apex
+        one, two = min(low, high), max(low, high)
+        low, high = (-1e300, one) if lean > 0.0 else (two, 1e300)
+    if abs(lean) > 1e-9:
+        one, two = (first - axial) / lean, (last - axial) / lean
+        low, high = max(low, min(one, two)), min(high, max(one, two))
+    elif axial < first or axial > last:
+        return 0.0, 0.0
+    low = max(low, 0.0)
+    if high <= low:
+        return 0.0, 0.0
+    return high - low, min(axial + lean * low, axial + lean * high)
+
+
+@kernel()
+def _least_passing(points: Any, stands: Any, axis: Any, first: float, last: float, radius: float, gradient: float, chord: float) -> Any:
+    """Places along an axis at which beams pass through a leg of the unit in the middle, of the stand that has the fewest."""
+    best, fewest = np.empty(len(points)), len(points) + 1
+    places = np.empty(len(points))
+    for k in range(len(stands)):
+        count = 0
+        for i in range(len(points)):
+            bx, by, bz = stands[k, 0] - points[i, 0], stands[k, 1] - points[i, 1], stands[k, 2] - points[i, 2]
+            length = np.sqrt(bx * bx + by * by + bz * bz)
+            bx, by, bz = bx / length, by / length, bz / length
+            inside, place = _inside((points[i, 0], points[i, 1], points[i, 2]), (bx, by, bz), axis, first, last, radius, gradient)
+            if inside > chord:
+                places[count] = place
+                count += 1
+                if count >= fewest:
+                    break
+        if count < fewest:
+            fewest = count
+            best[:count] = places[:count]
+        if fewest == 0:
+            break
+    return best[:fewest]
+
+
+@kernel()
+def _free(
+    points: Any, stands: Any, centres: Any, axes: Any, lasts: Any, reach: float, radius: float, gradient: float, chord: float, most: int
+) -> Any:
+    """(m,) whether no more than ``most`` beams of points towards a stand enter the legs of units about (k, 3) centres."""
+    result = np.zeros(len(stands), dtype=np.bool_)
+    # beams that entered from the last place are asked first: most places are left after a few
+    order = np.arange(len(points))
+    for k in range(len(stands)):
+        entered = 0
+        for place in range(len(points)):
+            i = order[place]
+            bx, by, bz = stands[k, 0] - points[i, 0], stands[k, 1] - points[i, 1], stands[k, 2] - points[i, 2]
+            length = np.sqrt(bx * bx + by * by + bz * bz)
+            bx, by, bz = bx / length, by / length, bz / length
+            hit = False
+            for u in range(len(centres)):
+                px, py, pz = points[i, 0] - centres[u, 0], points[i, 1] - centres[u, 1], points[i, 2] - centres[u, 2]
+                along, square = px * bx + py * by + pz * bz, px * px + py * py + pz * pz
+                if square - along * along > reach * reach or (along > 0.0 and square > reach * reach):
+                    continue
+                for leg in range(4):
+                    inside, _ = _inside((px, py, pz), (bx, by, bz), axes[u, leg], 0.0, lasts[u, leg], radius, gradient)
+                    if inside > chord:
+                        hit = True
+                        break
+                if hit:
+                    break
+            if hit:
+                order[place], order[entered] = order[entered], order[place]
+                entered += 1
+                if entered > most:
+                    break
+        result[k] = entered <= most
+    return result
