@@ -15,9 +15,7 @@ from numpy.typing import NDArray
 from scipy.linalg import block_diag
 from scipy.spatial import cKDTree
 
-from ..adjustment.shape_effects import PRIOR_SIZE_SD
-from ..common.arrays import BoolArray, FloatArray, IntArray
-from ..common.robust import sd_of_deviations
+from ..common.arrays import FloatArray, IntArray
 from ..model.feature_points import FEATURES, FeaturePoints, feature_points
 from ..model.mould import Mould
 from ..model.tetrapod import relate
@@ -41,6 +39,7 @@ from .relocation import join_relocated
 from .strip_offsets import adjust_jointly
 from .tracked_epoch import TrackedEpoch, TrackedUnit
 from .unit_clouds import UnitCloud, by_home
+from .unit_states import SURE_SCORE, odd_sizes, states_of
 
 MIN_RECOVERED_POINTS = 60
 LOOK_UP_RATIO, LOOK_UP_NOISE = 0.025, 3.0
@@ -54,16 +53,6 @@ SAME_PLACE_HEIGHTS = 0.5
 """Distance of two centres, in unit heights, within which no two solids fit."""
 SAME_POINT = 1e-4
 """Distance in metres below which a point of the cloud is the point of a unit."""
-LEAST_SIZE_SPREAD = 0.003
-"""Relative standard deviation of the size of units from one set of moulds, at the least."""
-SURE_SCORE = 0.99
-"""Score from which the evidence for a unit speaks for itself: its size is held against what castings of any moulds differ by."""
-ODD_SIZE = 4.5
-"""Deviation of a unit's size from that of the others, in standard deviations, above which something else was fitted."""
-MOST_OPEN_HEIGHTS = 0.1
-"""Standard deviation of a centre, in unit heights, beyond which there is no pose: recovered units that are right stay below a fortieth."""
-RECOVERED_SCORE = 0.8
-"""Probability below which one detection does not vouch for the unit in an epoch where it was not detected."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -160,8 +149,8 @@ def track(
     joint, numbers = _adjust(seen, {unit: mould for unit, mould in zip(units, moulds) if mould is not None})
     epochs = [_with_mean_offset(e, k, joint) for k, e in enumerate(epochs)]
     sure = np.array([all(s.score >= SURE_SCORE for s in own.values()) for own in seen], dtype=np.bool_)
-    odd = _odd_sizes(joint, np.array([t.kind for t in tracks], dtype=np.int64), units, sure)
-    tracked = [_states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
+    odd = odd_sizes(joint, np.array([t.kind for t in tracks], dtype=np.int64), units, sure)
+    tracked = [states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
     known = TrackedUnits(types=units, tracks=tracks, states=tracked, joint=joint, numbers=numbers)
     frames = _frames(known, epochs, frame)
     pairs = tuple(compare_epochs(known, epochs, a, b, frames) for a, b in combinations(range(len(epochs)), 2))
@@ -341,79 +330,6 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
 def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
     """The epoch with the variance of the mean offset of its strips."""
     return replace(epoch, offset_variance=mean_offset_variance([offset for (e, _), offset in joint.offsets.items() if e == number]))
-
-
-def _odd_sizes(joint: JointAdjustment, kinds: IntArray, units: Sequence[UnitType], sure: BoolArray) -> frozenset[int]:
-    """Units whose size differs from that of their kind by more than castings from one set of moulds do.
-
-    The points of a leg that are taken for more, or for another one, make the unit shrink or grow. Units that are ``sure`` are held against
-    what castings are known to differ by, at least: forty units may tell a spread a third too small.
-    """
-    scales, sds = (np.array([values[k] for k in range(len(kinds))]) for values in (joint.scales, joint.scale_sds))
-    odd: list[int] = []
-    for kind in np.unique(kinds):
-        surface = joint.surfaces.get(units[kind])
-        if surface is None:
-            continue
-        own = np.flatnonzero(kinds == kind)
-        # an estimate is drawn towards the mean size by what the points leave open, and varies the less
-        told = np.maximum(1 - (sds[own] / surface.size_sd) ** 2, 0.04)
-        shares = np.abs(scales[own] - np.median(scales[own])) / np.sqrt(told)
-        # the unit that is sought must not hide behind the spread that it makes itself; a median of few may be a third too small
-        spread = min(surface.size_sd, max(1.5 * sd_of_deviations(shares), LEAST_SIZE_SPREAD))
-        away = shares / np.where(sure[own], max(spread, PRIOR_SIZE_SD), spread)
-        odd += own[away > ODD_SIZE * max(sd_of_deviations(away), 1.0)].tolist()
-    return frozenset(odd)
-
-
-def _states_of(
-    unit: int,
-    track: Track,
-    seen: dict[int, FittedUnit],
-    states: dict[int, str],
-    joint: JointAdjustment,
-    numbers: dict[tuple[int, int], int],
-    epochs: int,
-    odd: bool,
-) -> dict[int, TrackedUnit]:
-    tracked: dict[int, TrackedUnit] = {}
-    first = min(seen)
-    confirmed = not odd and any(s.certain for s in seen.values())
-    for epoch in range(epochs):
-        if epoch in seen:
-            number = numbers[unit, epoch]
-            place = joint.order[unit].index(number)
-            block = slice(6 * place, 6 * place + 6)
-            own = joint.covariances[unit][block, block]
-            left_open = math.sqrt(max(np.linalg.eigvalsh(own[:3, :3])[-1], 0.0)) > MOST_OPEN_HEIGHTS * seen[epoch].shape.height
-            if left_open and epoch not in track.rows:
-                tracked |= {epoch: _not_seen("hidden", joint.scales[unit])} if epoch > first else {}
-                continue
-            vouched = epoch in track.rows or seen[epoch].score >= RECOVERED_SCORE
-            status = "found" if confirmed and vouched and not left_open else "uncertain"
-            if epoch in track.relocated:
-                status = "relocated"
-            elif confirmed and epoch == first > 0 and states.get(epoch - 1) == "empty":
-                status = "new"
-            tracked[epoch] = TrackedUnit(
-                row=track.rows.get(epoch),
-                pose=joint.poses[number],
-                covariance=own,
-                scale=1 + joint.scales[unit],
-                status=status,
-                points=int(joint.used[number]),
-                ambiguous=epoch in track.ambiguous,
-                legs=seen[epoch].legs,
-            )
-        elif epoch > first and epoch in states:
-            tracked[epoch] = _not_seen(states[epoch], joint.scales[unit])
-    return tracked
-
-
-def _not_seen(state: str, scale: float) -> TrackedUnit:
-    """A unit in an epoch that does not show it; ``scale`` is the relative difference of its size."""
-    status = "lost" if state == "empty" else "unseen"
-    return TrackedUnit(row=None, pose=None, covariance=None, scale=1 + scale, status=status, points=0)
 
 
 def _cross_checks(

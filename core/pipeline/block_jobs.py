@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray, IntArray
 from ..common.errors import InputError, NoSolutionError
@@ -269,8 +267,6 @@ def adjusted_nearby(
 
 SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported")
 """Arrays of a block's units before adjustment, one row per unit."""
-LEG_REACHES = 1.1
-"""Distance from a unit's centre, in its reaches, within which points say whether its legs are whole."""
 LEG_COLUMNS = ("leg_states", "leg_missing", "leg_broken")
 """What the cloud around each unit shows of the ends of its legs, (k, 4) each: see :class:`..segmentation.leg_ends.LegEnds`."""
 POINT_ARRAYS = ("points", "sources", "times")
@@ -345,26 +341,10 @@ def covariances_of(arrays: Mapping[str, NDArray[Any]], own: slice, beams: BeamNo
 
 def _leg_ends(cloud: PointCloud, table: Mapping[str, NDArray[Any]], units: Sequence[UnitType]) -> dict[str, NDArray[Any]]:
     """``LEG_COLUMNS`` of the units of a table, from all points around them."""
-    from ..segmentation.leg_ends import LegEnds, leg_ends, sides_to_end
-    from ..segmentation.seen_through import SeenThrough
-    from ..segmentation.sight_lines import SightLines
-    from ..segmentation.surface_elements import surface_noise
+    from ..segmentation.ends_of_units import ends_of_units
 
-    kinds, poses = np.asarray(table["type"]), np.asarray(table["poses"])
-    found = [LegEnds.unseen() for _ in poses]
-    tree = cKDTree(cloud.xyz)
-    for kind in np.unique(kinds):
-        unit, of_kind = units[int(kind)], kinds == kind
-        noise = surface_noise(cloud.xyz, unit.height) if len(cloud) >= 50 else 0.0
-        lines = SightLines(cloud.xyz, tree, poses[of_kind], unit, noise)
-        # a pose that may be wrong would call any surface that crosses it a face of fracture
-        own = np.flatnonzero(of_kind & (np.asarray(table["status"]) == "found"))
-        near = [_pose(poses[row]).to_body(cloud.xyz[tree.query_ball_point(poses[row, :3], LEG_REACHES * unit.reach)]) for row in own]
-        whole = np.array([sides_to_end(body, unit, noise) for body in near]).reshape(-1, 4)
-        through = SeenThrough(cloud.xyz, cloud.source_id, poses[own], whole, unit, noise)
-        places = np.cumsum(of_kind) - 1
-        for k, (row, body) in enumerate(zip(own, near, strict=True)):
-            found[row] = leg_ends(body, unit, noise, partial(lines.of, int(places[row])), partial(through.through, k))
+    kinds, certain = np.asarray(table["type"]), np.asarray(table["status"]) == "found"
+    found = ends_of_units(cloud.xyz, cloud.source_id, np.asarray(table["poses"]), kinds, certain, units)
     columns = ("states", "missing", "broken")
     return {name: np.array([getattr(f, c) for f in found]).reshape(-1, 4) for name, c in zip(LEG_COLUMNS, columns, strict=True)}
 

@@ -17,8 +17,9 @@ from tetratrack.core.deformation.fitted_unit import FittedUnit
 from tetratrack.core.deformation.identity import Track
 from tetratrack.core.deformation.joint_records import JointAdjustment
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
-from tetratrack.core.deformation.tracking import Surroundings, Tracking, _odd_sizes, _states_of, track
+from tetratrack.core.deformation.tracking import Surroundings, Tracking, track
 from tetratrack.core.deformation.unit_clouds import UnitCloud
+from tetratrack.core.deformation.unit_states import odd_sizes, states_of
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.pipeline.displacement_table import (
     TableOptions,
@@ -395,7 +396,7 @@ def test_a_pose_that_its_points_leave_open_is_none(open_epoch: int, detected: bo
     )
     rows = {e: 0 for e in (0, 1) if detected or e != open_epoch}
     track = Track(kind=0, rows=rows, symmetries={}, ambiguous=frozenset(), relocated=frozenset())
-    found = _states_of(0, track, {0: sure, 1: sure}, {}, joint, {(0, 0): 0, (0, 1): 1}, 2, False)
+    found = states_of(0, track, {0: sure, 1: sure}, {}, joint, {(0, 0): 0, (0, 1): 1}, 2, False)
     assert found[1 - open_epoch].status == "found"
     assert (found[open_epoch].status if open_epoch in found else None) == status
     assert status != "unseen" or found[open_epoch].pose is None
@@ -413,4 +414,4 @@ def test_sizes_of_sure_units_are_held_against_what_castings_differ_by() -> None:
         SimpleNamespace(scales=scales, scale_sds=dict.fromkeys(scales, 1e-4), surfaces={UNIT: SimpleNamespace(size_sd=0.003)}),
     )
     for sure, odd in ((False, {20}), (True, set())):
-        assert _odd_sizes(joint, np.zeros(21, dtype=np.int64), [UNIT], np.full(21, sure)) == odd
+        assert odd_sizes(joint, np.zeros(21, dtype=np.int64), [UNIT], np.full(21, sure)) == odd

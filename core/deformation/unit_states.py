@@ -1,0 +1,117 @@
+"""What becomes of every unit in every epoch: found, uncertain, new, lost or unseen, and whether it has a pose there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..adjustment.shape_effects import PRIOR_SIZE_SD
+from ..common.arrays import BoolArray, IntArray
+from ..common.robust import sd_of_deviations
+from ..model.unit_types import UnitType
+from .fitted_unit import FittedUnit
+from .identity import Track
+from .joint_records import JointAdjustment
+from .tracked_epoch import TrackedUnit
+
+LEAST_SIZE_SPREAD = 0.003
+"""Relative standard deviation of the size of units from one set of moulds, at the least."""
+SURE_SCORE = 0.99
+"""Score of a unit whose size is held against what castings of any moulds differ by, at least."""
+ODD_SIZE = 4.5
+"""Deviation of a unit's size from that of the others, in standard deviations, above which something else was fitted."""
+MOST_OPEN_HEIGHTS = 0.1
+"""Standard deviation of a centre, in unit heights, beyond which there is no pose: recovered units that are right stay below a fortieth."""
+RECOVERED_SCORE = 0.8
+"""Probability below which one detection does not vouch for the unit in an epoch where it was not detected."""
+
+
+def odd_sizes(joint: JointAdjustment, kinds: IntArray, units: Sequence[UnitType], sure: BoolArray) -> frozenset[int]:
+    """Units whose size differs from that of their kind by more than castings from one set of moulds do.
+
+    The points of a leg that are taken for more, or for another one, make the unit shrink or grow. Units that are ``sure`` are held against
+    what castings are known to differ by, at least: forty units may tell a spread a third too small.
+
+    Parameters
+    ----------
+    kinds, sure
+        (k,) index into ``units``, and whether the evidence for the unit leaves no doubt, of each unit of the adjustment.
+    """
+    scales, sds = (np.array([values[k] for k in range(len(kinds))]) for values in (joint.scales, joint.scale_sds))
+    odd: list[int] = []
+    for kind in np.unique(kinds):
+        surface = joint.surfaces.get(units[kind])
+        if surface is None:
+            continue
+        own = np.flatnonzero(kinds == kind)
+        # an estimate is drawn towards the mean size by what the points leave open, and varies the less
+        told = np.maximum(1 - (sds[own] / surface.size_sd) ** 2, 0.04)
+        shares = np.abs(scales[own] - np.median(scales[own])) / np.sqrt(told)
+        # the unit that is sought must not hide behind the spread that it makes itself; a median of few may be a third too small
+        spread = min(surface.size_sd, max(1.5 * sd_of_deviations(shares), LEAST_SIZE_SPREAD))
+        away = shares / np.where(sure[own], max(spread, PRIOR_SIZE_SD), spread)
+        odd += own[away > ODD_SIZE * max(sd_of_deviations(away), 1.0)].tolist()
+    return frozenset(odd)
+
+
+def states_of(
+    unit: int,
+    track: Track,
+    seen: dict[int, FittedUnit],
+    states: dict[int, str],
+    joint: JointAdjustment,
+    numbers: dict[tuple[int, int], int],
+    epochs: int,
+    odd: bool,
+) -> dict[int, TrackedUnit]:
+    """A unit in the epochs that show it, and in those that say what became of it.
+
+    Parameters
+    ----------
+    seen, states
+        Its sightings, recovered ones included, and what the other epochs say of its place (``there``, ``empty``, ``hidden``), by epoch.
+    numbers
+        Sighting in the joint adjustment by unit and epoch.
+    odd
+        Whether its size is none that the moulds make.
+    """
+    tracked: dict[int, TrackedUnit] = {}
+    first = min(seen)
+    confirmed = not odd and any(s.certain for s in seen.values())
+    for epoch in range(epochs):
+        if epoch in seen:
+            number = numbers[unit, epoch]
+            place = joint.order[unit].index(number)
+            block = slice(6 * place, 6 * place + 6)
+            own = joint.covariances[unit][block, block]
+            left_open = math.sqrt(max(np.linalg.eigvalsh(own[:3, :3])[-1], 0.0)) > MOST_OPEN_HEIGHTS * seen[epoch].shape.height
+            if left_open and epoch not in track.rows:
+                tracked |= {epoch: _not_seen("hidden", joint.scales[unit])} if epoch > first else {}
+                continue
+            vouched = epoch in track.rows or seen[epoch].score >= RECOVERED_SCORE
+            status = "found" if confirmed and vouched and not left_open else "uncertain"
+            if epoch in track.relocated:
+                status = "relocated"
+            elif confirmed and epoch == first > 0 and states.get(epoch - 1) == "empty":
+                status = "new"
+            tracked[epoch] = TrackedUnit(
+                row=track.rows.get(epoch),
+                pose=joint.poses[number],
+                covariance=own,
+                scale=1 + joint.scales[unit],
+                status=status,
+                points=int(joint.used[number]),
+                ambiguous=epoch in track.ambiguous,
+                legs=seen[epoch].legs,
+            )
+        elif epoch > first and epoch in states:
+            tracked[epoch] = _not_seen(states[epoch], joint.scales[unit])
+    return tracked
+
+
+def _not_seen(state: str, scale: float) -> TrackedUnit:
+    """A unit in an epoch that does not show it; ``scale`` is the relative difference of its size."""
+    status = "lost" if state == "empty" else "unseen"
+    return TrackedUnit(row=None, pose=None, covariance=None, scale=1 + scale, status=status, points=0)

@@ -1,0 +1,62 @@
+"""Whether the legs of all units of a cloud are whole."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from ..common.arrays import BoolArray, FloatArray
+from ..model.unit_types import UnitType
+from .leg_ends import LegEnds, leg_ends, sides_to_end
+from .seen_through import SeenThrough
+from .sight_lines import SightLines
+from .surface_elements import surface_noise
+
+REACHES = 1.1
+"""Distance from a unit's centre, in its reaches, within which points say whether its legs are whole."""
+FEWEST_POINTS = 50
+"""Points of a cloud that tell its noise."""
+
+
+def ends_of_units(
+    points: FloatArray,
+    sources: NDArray[Any],
+    poses: FloatArray,
+    kinds: NDArray[Any],
+    certain: BoolArray,
+    units: Sequence[UnitType],
+) -> list[LegEnds]:
+    """Ends of the legs of each unit.
+
+    Parameters
+    ----------
+    points, sources
+        (n, 3) the cloud, metres, and (n,) the strips or stations that its points come from.
+    poses, kinds, certain
+        (k, 12) centres and row-major rotations, (k,) indices into ``units``, and (k,) whether the pose is sure: one that may be wrong
+        would call any surface that crosses it a face of fracture, so that nothing is said of it.
+    """
+    found = [LegEnds.unseen() for _ in poses]
+    tree = cKDTree(points)
+    for kind in np.unique(kinds):
+        unit, of_kind = units[int(kind)], kinds == kind
+        noise = surface_noise(points, unit.height) if len(points) >= FEWEST_POINTS else 0.0
+        lines = SightLines(points, tree, poses[of_kind], unit, noise)
+        own = np.flatnonzero(of_kind & certain)
+        near = [_body(points[tree.query_ball_point(poses[row, :3], REACHES * unit.reach)], poses[row]) for row in own]
+        whole = np.array([sides_to_end(body, unit, noise) for body in near], dtype=np.bool_).reshape(-1, 4)
+        through = SeenThrough(points, sources, poses[own], whole, unit, noise)
+        places = np.cumsum(of_kind) - 1
+        for k, (row, body) in enumerate(zip(own, near, strict=True)):
+            found[row] = leg_ends(body, unit, noise, partial(lines.of, int(places[row])), partial(through.through, k))
+    return found
+
+
+def _body(points: FloatArray, pose: FloatArray) -> FloatArray:
+    """(n, 3) points in the body frame of a (12,) pose."""
+    return np.asarray((points - pose[:3]) @ pose[3:].reshape(3, 3))
