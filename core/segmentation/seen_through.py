@@ -39,6 +39,8 @@ ROUNDS = ((150, 0.33, 0.12, 4.0), (500, 0.5, 0.02, 1.5), (1000, 1.0, 0.008, 0.0)
 """Points of a source whose beams are asked, from which share of all, the nearest (the unit shapes what lies about it, what lies beyond
 tells finer); share of them that may enter what stands (the places tried are some degrees off; then strays, mixed pixels and what poses
 err), and how many degrees beside the places that are left the next ones are tried."""
+FINEST_DEG = 1.5
+"""Spacing of the places that were tried last: those around the ones that are left are kept with them."""
 FEWEST_POINTS = 150
 GOLDEN = 0.618034
 """Fractional part of the golden section: multiples of it fall evenly."""
@@ -82,7 +84,7 @@ class SeenThrough:
 
     def through(self, number: int, leg: int, first: float) -> Passing:
         """Beams that pass through a unit's leg between ``first`` (metres along it) and its end."""
-        axis, last = self._axes[number, leg], self._unit.leg_length - self._margin
+        axis, last = self._axes[number, leg], ROUNDED * self._unit.leg_length
         count, places = 0, [np.empty(0)]
         for points, stands in self._views(number):
             fewest = np.asarray(_least_passing(points, stands, axis, first, last, *self._cone()))
@@ -121,7 +123,8 @@ class SeenThrough:
                 return np.empty((0, 3))
             if step > 0 and len(tried):
                 tried = _beside(tried, step)
-        return np.asarray(tried)
+        # the sensor may stand between the places tried
+        return _beside(tried, FINEST_DEG) if len(tried) else tried
 
 
 def _spread(points: FloatArray, count: int) -> FloatArray:
