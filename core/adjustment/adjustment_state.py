@@ -15,7 +15,7 @@ from ..model.unit_types import UnitType
 from .adjustment_records import AdjustmentOptions
 from .condition_records import LegDirections, NormalEquations, PointStates, Solid, Sums, legs_of
 
-END_IN_NOISE = 2.0
+END_IN_NOISE = 1.0
 """Distance from the end of a leg, in standard deviations of the noise, up to which its cone is used where its end disc is not."""
 
 
