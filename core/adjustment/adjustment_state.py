@@ -189,7 +189,9 @@ class Problem:
             return self.edge, math.inf, noise
         share = 1.0 if self.options.edge is not None else min(max(1.5 * (1.0 - noise / self.edge), 0.0), 1.0)
         edge = self.edge * share
-        tip = min(self.unit.leg_length - END_IN_NOISE * noise, self.tip / max(share, 1e-9))
+        # surfaces of which nothing is left out have no discs, and cones that the noise carries beyond their ends
+        end = -END_IN_NOISE if math.isfinite(self.tip) else 1.0
+        tip = min(self.unit.leg_length + end * noise, self.tip / max(share, 1e-9))
         return edge, tip, max(0.5 * edge, 2.0 * noise)
 
 
