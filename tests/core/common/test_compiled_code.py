@@ -30,8 +30,9 @@ def _run(folder: Path, loop: str = LOOP, called: str = "", **environment: str) -
     module = folder / "loop.py"
     module.write_text(loop, encoding="utf-8")
     (folder / "called.py").write_text(called, encoding="utf-8")
+    # -B: Python takes its own bytecode for current if the source has the same length and was written in the same second
     return subprocess.run(
-        [sys.executable, str(module)], env=os.environ | environment, capture_output=True, text=True, check=False, timeout=120
+        [sys.executable, "-B", str(module)], env=os.environ | environment, capture_output=True, text=True, check=False, timeout=120
     )
 
 
