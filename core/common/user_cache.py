@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
+import time
 from functools import cache
 from pathlib import Path
+
+UNUSED_DAYS = 30
+"""What no command has read for so long goes, where it is large."""
 
 
 @cache
@@ -21,3 +26,12 @@ def cache_folder(name: str) -> Path | None:
     except (OSError, RuntimeError):
         return None
     return folder if os.access(folder, os.W_OK) else None
+
+
+def drop_unused(folder: Path, pattern: str) -> None:
+    """Remove the files of a memory, named by a pattern, that no command has read for ``UNUSED_DAYS``; whoever reads one marks its time."""
+    oldest = time.time() - UNUSED_DAYS * 86400
+    for kept in folder.glob(pattern):
+        with contextlib.suppress(OSError):
+            if kept.stat().st_mtime < oldest:
+                kept.unlink()

@@ -10,7 +10,6 @@ import os
 import re
 import subprocess  # nosec B404 - a reader is started with fixed arguments
 import sys
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import date, timedelta
@@ -22,13 +21,11 @@ import numpy as np
 from ..common.arrays import FloatArray
 from ..common.atomic_files import cannot_write, temporary_beside, temporary_folder
 from ..common.errors import InputError
-from ..common.user_cache import cache_folder
+from ..common.user_cache import cache_folder, drop_unused
 from .scan_cache import key_of
 
 E57, PLY = ".e57", ".ply"
 ENDINGS = (E57, PLY)
-UNUSED_DAYS = 30
-"""Copies that no command has read for so long go."""
 RESOLUTION = 1e-4
 """Metres; step of the copies' coordinates, so that extents of 200 km fit."""
 COARSEST = 2e-3
@@ -84,7 +81,7 @@ def as_las(path: Path) -> Path:
     if copy.is_file():
         os.utime(copy)
         return copy
-    _tidy(folder)
+    drop_unused(folder, "*.laz")
     with contextlib.ExitStack() as stack:
         cloud = _e57(path) if ending == E57 else _ply(path)
         stack.enter_context(cloud.close)
@@ -100,14 +97,6 @@ def as_las(path: Path) -> Path:
             raise _damaged(path, error) from error
         temporary.replace(copy)
     return copy
-
-
-def _tidy(folder: Path) -> None:
-    oldest = time.time() - UNUSED_DAYS * 86400
-    for copy in folder.glob("*.laz"):
-        with contextlib.suppress(OSError):
-            if copy.stat().st_mtime < oldest:
-                copy.unlink()
 
 
 def _damaged(path: Path, error: BaseException) -> InputError:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import time
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -20,7 +19,7 @@ from ..common.arrays import FloatArray
 from ..common.atomic_files import temporary_beside
 from ..common.errors import InputError, OutputError
 from ..common.patch_means import Means, PatchMeans
-from ..common.user_cache import cache_folder
+from ..common.user_cache import cache_folder, drop_unused
 from .las_files import read_header
 
 RADIUS_RATIO, MOST_RADIUS_RATIO = 0.0125, 0.03
@@ -35,8 +34,6 @@ LARGE = 2_000_000
 """Points of a cloud from which it is thinned: less takes little time as it is, and a weak unit may depend on any of its points."""
 PART = 100_000
 """Points after which it is asked anew whether a tile can be so dense."""
-UNUSED_DAYS = 30
-"""Thinned clouds that no command has read for so long go."""
 
 
 def patch_radius(height: float) -> float:
@@ -125,7 +122,7 @@ def store(key: str, means: Means) -> bool:
     folder = cache_folder("thinned")
     if folder is None:
         return False
-    _tidy(folder)
+    drop_unused(folder, "*.npz")
     path = folder / f"{key}.npz"
     try:
         with temporary_beside(path) as temporary:
@@ -136,11 +133,3 @@ def store(key: str, means: Means) -> bool:
         return False
     means_in.cache_clear()
     return True
-
-
-def _tidy(folder: Path) -> None:
-    oldest = time.time() - UNUSED_DAYS * 86400
-    for copy in folder.glob("*.npz"):
-        with contextlib.suppress(OSError):
-            if copy.stat().st_mtime < oldest:
-                copy.unlink()
