@@ -1,23 +1,25 @@
 """How far off targets leave the frames of a pair, learned from the units that rest: the scale of datum ``control`` and of its test.
 
-The error of a bent frame between targets is a draw of a few independent bends. What a model says of its size is right over many coasts
-and may be off by a factor on each of them; resting units show the draw itself. Its variance is scaled so that their mean squared
-normalised error is that of the stated deviations, and the statistic so that its level among them is the stated one (an empirical null
-distribution: Efron, 2004, JASA 99), since the squares of few bends have not the tails of a chi-square of many. What *all* units of a
-structure do together would pass for such an error, which is why both factors have bounds.
+The error of a frame between targets is a draw of a few independent values: the bends of one that bends, and of a rigid one the shift and
+turn that all units share. What a model says of its size is right over many coasts and may be off by a factor on each of them; resting
+units show the draw itself. Its variance is scaled so that their mean squared normalised error is that of the stated deviations, and the
+statistic so that its level among them is the stated one (an empirical null distribution: Efron, 2004, JASA 99), since the squares of few
+bends have not the tails of a chi-square of many. What *all* units of a structure do together would pass for such an error, which is why
+both factors have bounds, and why a rigid pair whose common motion contradicts its control keeps the model's own size.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import brentq
 from scipy.special import chdtri
 
 from ..common.arrays import FloatArray
-from ..registration.frame_field import FieldEstimate
-from .congruence import NullModel, f_p_value, pooled_degrees, quadratic
+from ..registration.frame_field import FieldEstimate, LocalMotions
+from .congruence import Congruence, NullModel, f_p_value, pooled_degrees, quadratic
 
 LEVEL = 0.05
 """Share of resting units that the test of datum ``control`` is to call significant at this level."""
@@ -28,6 +30,8 @@ LEAST_FACTOR, MOST_FACTOR = 0.5, 1.6
 """Bounds of the factors of the variance and of the statistic."""
 LARGEST_MISFIT = 16.0
 """Normalised square up to which one coordinate counts."""
+COMMON_LEVEL = 0.01
+"""p-value of a rigid pair's common motion against control below which it is no draw of the control's error."""
 MOST_PLACES = 80
 """Places at which the degrees of freedom of a field are looked at."""
 
@@ -57,7 +61,7 @@ class ControlScale:
 def scale_of_control(
     control: FieldEstimate, places: FloatArray, displacements: FloatArray, own: FloatArray, null: NullModel, degrees: float
 ) -> ControlScale:
-    """Scale of datum ``control``; of too few units what a size of so few degrees of freedom is worth.
+    """Scale of datum ``control`` of frames that bend; of too few units what a size of so few degrees of freedom is worth.
 
     Parameters
     ----------
@@ -74,7 +78,43 @@ def scale_of_control(
     """
     if len(places) < FEWEST_RESTING:
         return ControlScale(size=1 + 2 / degrees, factor=1.0, degrees=degrees, bends=0.0)
-    known = control.at(places)
+    size, factor = _size_and_factor(control.at(places), displacements, own, null)
+    return ControlScale(size=size, factor=factor, degrees=math.inf, bends=_independent_bends(control, places))
+
+
+def with_rigid_scale(congruence: Congruence, displacements: FloatArray, covariances: FloatArray, points: FloatArray) -> Congruence:
+    """The congruence of two rigid frames with datum ``control`` as its resting units show it.
+
+    It stays as it is without control, with too few units, and where the common motion is none that the control's error explains: then
+    the structure moved, and no unit is to hide it.
+
+    Parameters
+    ----------
+    congruence
+        Of the pair.
+    displacements, covariances, points
+        (n, 3), (n, 3, 3), (n, 3) as they entered it, metres.
+    """
+    resting = congruence.stable
+    if resting.sum() < FEWEST_RESTING or not congruence.common_p_value >= COMMON_LEVEL:
+        return congruence
+    null = congruence.null
+    effective = null.covariance(covariances)
+    size, factor = _size_and_factor(congruence.rigid_motions(points[resting], "control"), displacements[resting], effective[resting], null)
+    scaled = replace(congruence, prior=congruence.prior * size)
+    frame = scaled.rigid_motions(points, "control").covariances[:, :3, :3]
+    statistics = quadratic(displacements, effective + frame) / factor
+    return replace(
+        scaled,
+        control_statistics=statistics,
+        control_p_values=f_p_value(statistics, pooled_degrees(effective, null.tail, frame, math.inf)),
+        control_degrees=math.inf,
+        control_factor=factor,
+    )
+
+
+def _size_and_factor(known: LocalMotions, displacements: FloatArray, own: FloatArray, null: NullModel) -> tuple[float, float]:
+    """Factors of the variance of the frames and of the statistic, by (n, 3) displacements of units at rest."""
     away, frame = displacements - known.means[:, :3], known.covariances[:, :3, :3]
     squares = away**2
     units, frames = (np.einsum("nii->ni", part) for part in (null.spread * own, frame))
@@ -88,11 +128,9 @@ def scale_of_control(
         size = MOST_SIZE
     else:
         size = float(brentq(excess, LEAST_SIZE, MOST_SIZE))
-    p_values = f_p_value(quadratic(away, own + size * frame), pooled_degrees(own, null.tail, size * frame, np.inf))
+    p_values = f_p_value(quadratic(away, own + size * frame), pooled_degrees(own, null.tail, size * frame, math.inf))
     factor = float(chdtri(3, np.quantile(p_values, LEVEL)) / chdtri(3, LEVEL))
-    return ControlScale(
-        size=size, factor=min(max(factor, LEAST_FACTOR), MOST_FACTOR), degrees=np.inf, bends=_independent_bends(control, places)
-    )
+    return size, min(max(factor, LEAST_FACTOR), MOST_FACTOR)
 
 
 def _independent_bends(field: FieldEstimate, places: FloatArray) -> float:

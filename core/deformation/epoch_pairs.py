@@ -16,6 +16,7 @@ from ..model.feature_points import feature_points
 from ..model.unit_types import UnitType
 from ..registration.frame_field import LocalMotions
 from .congruence import Congruence, NullModel, calibrate, congruence_of, pooled_degrees
+from .control_scale import with_rigid_scale
 from .displacement import (
     FramePart,
     UnitMotion,
@@ -197,6 +198,7 @@ def _rigid(
     origin = centres[judged].mean(axis=0) if len(judged) else np.zeros(3)
     prior = common_prior(epochs, first, second, origin)
     congruence = congruence_of(vectors[judged], own[judged], centres[judged], prior, origin, height, degrees)
+    congruence = with_rigid_scale(congruence, vectors[judged], own[judged], centres[judged])
     parts = {datum: congruence.rigid_motions(centres, datum) for datum in DATUMS}
     used = np.zeros(len(centres))
     used[judged] = congruence.stable

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 
 from ..common.arrays import FloatArray
 from ..model.pose import Pose
-from ..registration.transformation import Transformation
+from ..registration.transformation import Transformation, mean_offset_variance
 from ..segmentation.leg_ends import LegEnds
 from .epoch_frames import TargetShifts
 from .fitted_unit import FittedUnit
+
+UNNUMBERED = 0
+"""Source of points whose strip or station nobody noted (ASPRS LAS specification 1.4, point source ID)."""
+UNNUMBERED_OFFSET = 0.2
+"""Mean offset of an epoch's strips or stations over the noise of a point, where points have no source: what four strips leave that are off
+by two fifths of the noise each. Assumed; strips with numbers show theirs, and resting units say by how much it is wrong."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -48,6 +55,20 @@ class TrackedEpoch:
     def placement(self) -> Transformation | None:
         """The registration with the mean offset of the strips, as a common shift, added to its covariance."""
         return None if self.registration is None else self.registration.with_offset(self.offset_variance)
+
+    def with_mean_offset(self, offsets: Mapping[int, FloatArray], noise: float) -> TrackedEpoch:
+        """The epoch with the variance of the mean offset of its strips or stations, as they show it or, without numbers, as is assumed.
+
+        Parameters
+        ----------
+        offsets
+            (3,) in metres by source.
+        noise
+            Standard deviation of a point along the surface normal, metres.
+        """
+        if set(offsets) == {UNNUMBERED}:
+            return replace(self, offset_variance=(UNNUMBERED_OFFSET * float(noise)) ** 2)
+        return replace(self, offset_variance=mean_offset_variance(list(offsets.values())))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

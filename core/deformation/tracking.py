@@ -21,7 +21,7 @@ from ..model.mould import Mould
 from ..model.tetrapod import relate
 from ..model.unit_types import UnitType
 from ..registration.frame_field import FieldEstimate, LocalMotions
-from ..registration.transformation import Transformation, mean_offset_variance
+from ..registration.transformation import Transformation
 from ..segmentation.leg_ends import LegEnds
 from ..segmentation.surface_elements import surface_noise
 from .chained_frames import chained_errors
@@ -67,6 +67,8 @@ class Tracking:
         By physical unit: epoch index to its state.
     registrations
         By epoch: transformation to control with the uncertainty of the mean offset of its strips or stations added.
+    offset_variances
+        By epoch: that of this mean offset per axis, square metres.
     pairs
         All pairs of epochs.
     calibrations
@@ -88,6 +90,7 @@ class Tracking:
     kinds: tuple[int, ...]
     units: tuple[dict[int, TrackedUnit], ...]
     registrations: tuple[Transformation | None, ...]
+    offset_variances: tuple[float, ...]
     pairs: tuple[EpochPair, ...]
     calibrations: tuple[PoseCalibration, ...]
     joint: JointAdjustment
@@ -147,7 +150,7 @@ def track(
     tracks, seen, states = _without_rivals(tracks, seen, states, recovered)
     tracks, seen, states = join_relocated(tracks, seen, states, identities.shifts)
     joint, numbers = _adjust(seen, {unit: mould for unit, mould in zip(units, moulds) if mould is not None})
-    epochs = [_with_mean_offset(e, k, joint) for k, e in enumerate(epochs)]
+    epochs = [e.with_mean_offset({s: o for (own, s), o in joint.offsets.items() if own == k}, joint.noise[k]) for k, e in enumerate(epochs)]
     sure = np.array([all(s.score >= SURE_SCORE for s in own.values()) for own in seen], dtype=np.bool_)
     odd = odd_sizes(joint, np.array([t.kind for t in tracks], dtype=np.int64), units, sure)
     tracked = [states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
@@ -161,6 +164,7 @@ def track(
         kinds=tuple(t.kind for t in tracks),
         units=tuple(tracked),
         registrations=tuple(e.placement for e in epochs),
+        offset_variances=tuple(e.offset_variance for e in epochs),
         pairs=pairs,
         calibrations=calibrations,
         joint=joint,
@@ -325,11 +329,6 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
         surface_sd=0.0,
         used=used,
     )
-
-
-def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
-    """The epoch with the variance of the mean offset of its strips."""
-    return replace(epoch, offset_variance=mean_offset_variance([offset for (e, _), offset in joint.offsets.items() if e == number]))
 
 
 def _cross_checks(

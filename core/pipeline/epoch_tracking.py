@@ -88,6 +88,7 @@ def track_tables(
                 for (epoch, source), offset in sorted(result.joint.offsets.items())
                 if epoch == k
             },
+            "mean_offset_sd_m": math.sqrt(result.offset_variances[k]),
         }
         for k, e in enumerate(placed)
     }

@@ -225,8 +225,10 @@ def _covariance_in_control(result: Path, info: EpochInfo, own: FloatArray, pose:
         # the bent frame's own uncertainty takes the place of the rigid registration's
         covariance[:3, :3] += np.diag(correction.variances_at(pose.centre[None])[0])
         return covariance
+    # an earlier version has not said how far the mean offset is known
     offsets = list(info.settings.get("source_offsets_m", {}).values())
-    return covariance + transformation.with_offset(mean_offset_variance(offsets)).pose_covariance(pose)
+    sd = info.settings.get("mean_offset_sd_m", math.sqrt(mean_offset_variance(offsets)))
+    return covariance + transformation.with_offset(sd**2).pose_covariance(pose)
 
 
 def _calibration(result: Path, epoch: str) -> PoseCalibration:
