@@ -150,7 +150,7 @@ def track(
     tracks, seen, states = _without_rivals(tracks, seen, states, recovered)
     tracks, seen, states = join_relocated(tracks, seen, states, identities.shifts)
     joint, numbers = _adjust(seen, {unit: mould for unit, mould in zip(units, moulds) if mould is not None})
-    epochs = [e.with_mean_offset({s: o for (own, s), o in joint.offsets.items() if own == k}, joint.noise[k]) for k, e in enumerate(epochs)]
+    epochs = [_with_mean_offset(e, k, joint) for k, e in enumerate(epochs)]
     sure = np.array([all(s.score >= SURE_SCORE for s in own.values()) for own in seen], dtype=np.bool_)
     odd = odd_sizes(joint, np.array([t.kind for t in tracks], dtype=np.int64), units, sure)
     tracked = [states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
@@ -329,6 +329,12 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
         surface_sd=0.0,
         used=used,
     )
+
+
+def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
+    """The epoch with what its strips leave open of its place, as the joint adjustment of its units shows it."""
+    offsets = {source: offset for (own, source), offset in joint.offsets.items() if own == number}
+    return epoch.with_mean_offset(offsets, float(joint.noise[number])) if offsets else epoch
 
 
 def _cross_checks(
