@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import BoolArray, FloatArray
 from ..model.unit_types import UnitType
-from .leg_ends import LegEnds, leg_ends, sides_to_end
+from .leg_ends import LegEnds, LegView, leg_ends
 from .seen_through import SeenThrough
 from .sight_lines import SightLines
 from .surface_elements import surface_noise
@@ -48,12 +48,13 @@ def ends_of_units(
         noise = surface_noise(points, unit.height) if len(points) >= FEWEST_POINTS else 0.0
         lines = SightLines(points, tree, poses[of_kind], unit, noise)
         own = np.flatnonzero(of_kind & certain)
-        near = [_body(points[tree.query_ball_point(poses[row, :3], REACHES * unit.reach)], poses[row]) for row in own]
-        whole = np.array([sides_to_end(body, unit, noise) for body in near], dtype=np.bool_).reshape(-1, 4)
+        around = [points[tree.query_ball_point(poses[row, :3], REACHES * unit.reach)] for row in own]
+        views = [LegView(_body(near, poses[row]), unit, noise) for near, row in zip(around, own, strict=True)]
+        whole = np.array([view.sides_to_end() for view in views], dtype=np.bool_).reshape(-1, 4)
         through = SeenThrough(points, sources, poses[own], whole, unit, noise)
         places = np.cumsum(of_kind) - 1
-        for k, (row, body) in enumerate(zip(own, near, strict=True)):
-            found[row] = leg_ends(body, unit, noise, partial(lines.of, int(places[row])), partial(through.through, k))
+        for k, (row, view) in enumerate(zip(own, views, strict=True)):
+            found[row] = leg_ends(view, partial(lines.missing, int(places[row])), partial(through.through, k))
     return found
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from ..common.arrays import BoolArray, FloatArray
 from ..model.unit_types import UnitType
 from .seen_through import Passing
-from .sight_lines import SECTORS, LegSights, leg_places
+from .sight_lines import SECTORS, leg_places
 
 UNSEEN, WHOLE, BROKEN = 0, 1, 2
 LEG_STATES = ("unseen", "whole", "broken")
@@ -43,8 +43,8 @@ SHOWN, STRAY = 0.35, 0.03
 """Shares of a face's or an end's points, at the density of the leg, that are there where it is seen and where it is not."""
 INDEPENDENT = 0.15
 """Share of points that count as independent evidence: their neighbours see the same."""
-PRIOR = 0.02
-"""Share of legs that are broken, before looking."""
+PRIOR_ODDS = math.log(0.02 / 0.98)
+"""Natural logarithm of the odds that a leg is broken, before looking: one of fifty is."""
 SIGHT_WEIGHT = 0.4
 """Of the evidence of patches that should be seen and are not: sensor directions are known to some degrees only. On whole legs of simulated
 and real surveys it reaches 8, on the broken leg of `uav_as_cast` 12, and 9.7 is asked for."""
@@ -103,35 +103,26 @@ class LegEnds:
         )
 
 
-def sides_to_end(body: FloatArray, unit: UnitType, noise: float) -> BoolArray:
-    """(4,) legs whose sides are seen to go on to their ends; arguments as for :func:`leg_ends`."""
-    view = _View(body, unit, noise)
-    return np.array([view.goes_on(k) for k in range(4)])
-
-
 def leg_ends(
-    body: FloatArray,
-    unit: UnitType,
-    noise: float,
-    sights: Callable[[], LegSights] | None = None,
+    view: LegView,
+    sights: Callable[[int, float], tuple[float, float]] | None = None,
     beams: Callable[[int, float], Passing] | None = None,
 ) -> LegEnds:
-    """Judge the legs of a unit from all (n, 3) points around it in its body frame; ``noise`` of a point in metres.
+    """Judge the legs of a unit.
 
-    ``beams`` tells what passes through a leg from a place along it (metres), and ``sights`` looks at the cloud around it, where its own
-    points do not tell.
+    Where its own points do not tell, ``beams`` tells what passes through a leg from a place along it (metres), and ``sights`` the evidence
+    that a leg ends early and the share of it that is left, if the evidence reaches its second argument (natural logarithm of odds).
     """
-    view = _View(body, unit, noise)
-    result = LegEnds.unseen()
+    unit, result = view.unit, LegEnds.unseen()
     for k in range(4):
         odds, place = view.odds(k)
         if beams is not None and view.may_end_early(k, odds):
             passing = beams(k, SHAFT[1] * unit.leg_length)
-            through = math.log(PRIOR / (1 - PRIOR)) + BEAM_WEIGHT * passing.beams
+            through = PRIOR_ODDS + BEAM_WEIGHT * passing.beams
             if through > 0:
                 odds, place = through, view.break_before(k, passing.place)
         if math.isnan(odds) and sights is not None and view.shaft_sectors(k) >= LEAST_SIGHT_SECTORS:
-            odds, place = _odds_of_sights(sights().missing(k), unit)
+            odds, place = _odds_of_sights(sights(k, -PRIOR_ODDS / SIGHT_WEIGHT), unit)
         if math.isnan(odds):
             continue
         broken = 1 / (1 + math.exp(-min(max(odds, -500.0), 500.0)))
@@ -145,20 +136,25 @@ def leg_ends(
 def _odds_of_sights(missing: tuple[float, float], unit: UnitType) -> tuple[float, float]:
     """Log-odds that a leg is broken, nan where the sights do not prove it; and where along it, metres."""
     evidence, left = missing
-    odds = math.log(PRIOR / (1 - PRIOR)) + SIGHT_WEIGHT * evidence
+    odds = PRIOR_ODDS + SIGHT_WEIGHT * evidence
     return (odds, left * unit.leg_length) if odds > 0 else (math.nan, 0.0)
 
 
-class _View:
+class LegView:
     """Points around a unit by leg, sector around it, place along it and distance from its side."""
 
     def __init__(self, body: FloatArray, unit: UnitType, noise: float) -> None:
+        """Look at all (n, 3) points around a unit, in its body frame; ``noise`` is the standard deviation of a point, metres."""
         self.unit = unit
         self.leg, self.axial, rho, self.sector = leg_places(body, unit)
         self.outside = rho - (unit.radius - unit.gradient * self.axial)
         self.tolerance = max(TOLERANCE_HEIGHTS * unit.height, DEPTH_IN_NOISE * noise)
         self.depth = max(DEPTH_HEIGHTS * unit.height, DEPTH_IN_NOISE * noise)
         self.along = self.axial / unit.leg_length
+
+    def sides_to_end(self) -> BoolArray:
+        """(4,) legs whose sides are seen to go on to their ends."""
+        return np.array([self.goes_on(k) for k in range(4)])
 
     def odds(self, leg: int) -> tuple[float, float]:
         """Log-odds that a leg is broken, nan where its end is not seen; and where along it, metres."""
@@ -175,19 +171,18 @@ class _View:
         face = float(inside.sum())
         if face < LEAST_POINTS or len(np.unique(self.sector[inside])) < LEAST_SECTORS:
             face = 0.0
-        prior = math.log(PRIOR / (1 - PRIOR))
         disc = float(np.sum(own & (np.abs(self.axial - unit.leg_length) < self.tolerance) & (self.outside < -self.tolerance)))
         if face:
-            odds = prior + INDEPENDENT * (_support(face, density * section) - _support(disc, density * section))
+            odds = PRIOR_ODDS + INDEPENDENT * (_support(face, density * section) - _support(disc, density * section))
             return odds, float(np.median(self.axial[inside]))
         # a side that stops may lie in the shadow of a neighbour: it proves nothing, one that goes on does
         tip, expected = self._by_sector(on_side, TIP)[sides].sum(), shaft[sides].sum() * self._area(TIP) / self._area(SHAFT)
         support = INDEPENDENT * _support(float(tip), float(expected))
         if support > 0:
-            return prior - support, 0.0
+            return PRIOR_ODDS - support, 0.0
         support = INDEPENDENT * _support(disc, density * section)
         if disc >= LEAST_POINTS and support > 0:
-            return prior - support, 0.0
+            return PRIOR_ODDS - support, 0.0
         return math.nan, 0.0
 
     def goes_on(self, leg: int) -> bool:

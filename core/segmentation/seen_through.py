@@ -44,6 +44,8 @@ FINEST_DEG = 1.5
 FEWEST_POINTS = 150
 GOLDEN = 0.618034
 """Fractional part of the golden section: multiples of it fall evenly."""
+NEIGHBOURS = 3
+"""Units whose sensors' places are tried first."""
 MOST_PLACES = 300
 """Places beyond which a source does not tell where it stood: too few of its beams pass by what stands."""
 MARGIN_HEIGHTS = 0.02
@@ -60,6 +62,27 @@ class Passing(NamedTuple):
     place: float
 
 
+class _Source:
+    """Points of one strip or station, and the places it was found to have stood at."""
+
+    def __init__(self, points: FloatArray) -> None:
+        self.points, self._tree = points, cKDTree(points)
+        self._seen_from: list[tuple[FloatArray, FloatArray]] = []
+
+    def around(self, centre: FloatArray, reach: float) -> FloatArray:
+        """(n, 3) points within reach of a place, from there."""
+        return np.asarray(self.points[self._tree.query_ball_point(centre, reach)] - centre)
+
+    def keep(self, centre: FloatArray, stands: FloatArray) -> None:
+        """Remember places, from a unit's centre, from which hardly a beam enters what stands around it."""
+        self._seen_from.append((centre, stands + centre))
+
+    def stood(self, centre: FloatArray) -> FloatArray:
+        """(m, 3) places remembered of the units next to a centre, from there; the nearest unit's come first."""
+        away = [float(np.sum((own - centre) ** 2)) for own, _ in self._seen_from]
+        return np.vstack([np.empty((0, 3)), *(self._seen_from[k][1] for k in np.argsort(away, kind="stable")[:NEIGHBOURS])]) - centre
+
+
 class SeenThrough:
     """Beams through the legs of the units of one cloud."""
 
@@ -72,50 +95,63 @@ class SeenThrough:
         deviation of a point across the surface, metres.
         """
         self._unit, self._poses = unit, poses
-        self._by_source = []
-        for source in np.unique(sources):
-            own, _ = thin(points[sources == source], VOXEL_HEIGHTS * unit.height)
-            self._by_source.append((own, cKDTree(own)))
+        self._sources = [_Source(thin(points[sources == source], VOXEL_HEIGHTS * unit.height)[0]) for source in np.unique(sources)]
         self._margin = max(MARGIN_HEIGHTS * unit.height, MARGIN_IN_NOISE * noise)
         self._lasts = np.where(whole, ROUNDED, STANDING) * unit.leg_length
         self._axes = np.einsum("kij,lj->kli", poses[:, 3:].reshape(-1, 3, 3), unit.leg_directions)
         self._centres = cKDTree(poses[:, :3])
-        self._known: dict[int, list[tuple[FloatArray, FloatArray]]] = {}
+        self._known: dict[tuple[int, int], FloatArray] = {}
 
     def through(self, number: int, leg: int, first: float) -> Passing:
         """Beams that pass through a unit's leg between ``first`` (metres along it) and its end."""
-        axis, last = self._axes[number, leg], ROUNDED * self._unit.leg_length
+        end = self._axes[number, leg], first, ROUNDED * self._unit.leg_length
+        centre, reach = self._poses[number, :3], AROUND_HEIGHTS * self._unit.height
+        near = self._centres.query_ball_point(centre, reach)
+        solids = self._poses[near, :3] - centre, self._axes[near], self._lasts[near]
         count, places = 0, [np.empty(0)]
-        for points, stands in self._views(number):
-            fewest = np.asarray(_least_passing(points, stands, axis, first, last, *self._cone()))
-            count += len(fewest)
-            places.append(fewest)
+        for k, source in enumerate(self._sources):
+            own = source.around(centre, reach)
+            if len(own) < FEWEST_POINTS:
+                continue
+            if (number, k) not in self._known:
+                # where no beam passes from one place that the sensor may have stood at, the others need not be known
+                if self._none_passes(own, source.stood(centre), solids, end):
+                    continue
+                self._known[number, k] = self._stands(own, solids, source, centre)
+            stands = self._known[number, k]
+            if len(stands):
+                fewest = np.asarray(_least_passing(own, stands, *end, *self._cone()))
+                count += len(fewest)
+                places.append(fewest)
         return Passing(count, float(np.quantile(np.concatenate(places), 0.02)) if count else 0.0)
 
     def _cone(self) -> tuple[float, float, float]:
         return self._unit.radius - self._margin, self._unit.gradient, CHORD_HEIGHTS * self._unit.height
 
-    def _views(self, number: int) -> list[tuple[FloatArray, FloatArray]]:
-        """Of each source that tells where it stood, its points and (m, 3) places it may have stood at, from the unit's centre."""
-        if number not in self._known:
-            centre, reach = self._poses[number, :3], AROUND_HEIGHTS * self._unit.height
-            near = self._centres.query_ball_point(centre, reach)
-            solids = self._poses[near, :3] - centre, self._axes[near], self._lasts[near]
-            views = []
-            for points, tree in self._by_source:
-                own = points[tree.query_ball_point(centre, reach)] - centre
-                if len(own) >= FEWEST_POINTS:
-                    stands = self._stands(own, solids)
-                    if len(stands):
-                        views.append((own, stands))
-            self._known[number] = views
-        return self._known[number]
+    def _none_passes(
+        self,
+        points: FloatArray,
+        stands: FloatArray,
+        solids: tuple[FloatArray, FloatArray, FloatArray],
+        end: tuple[FloatArray, float, float],
+    ) -> bool:
+        """Whether the sensor may have stood at one of (m, 3) places from which no beam passes through the end of a leg."""
+        count, _, share, _ = ROUNDS[-1]
+        some = _spread(_nearest_first(points), count)
+        most = int(share * len(some))
+        return any(
+            not len(_least_passing(points, stand, *end, *self._cone()))
+            and _free(some, stand, *solids, self._unit.reach, *self._cone(), most)[0]
+            for stand in stands[:, None]
+        )
 
-    def _stands(self, points: FloatArray, solids: tuple[FloatArray, FloatArray, FloatArray]) -> FloatArray:
-        """(m, 3) places from which the beams of points enter no solid, but for a few."""
+    def _stands(
+        self, points: FloatArray, solids: tuple[FloatArray, FloatArray, FloatArray], source: _Source, centre: FloatArray
+    ) -> FloatArray:
+        """(m, 3) places, from a unit's centre, from which the beams of points enter no solid, but for a few; the source remembers them."""
         height, reach = self._unit.height, self._unit.reach
         tried = (_directions()[:, None, :] * (np.array(DISTANCES_HEIGHTS) * height)[:, None]).reshape(-1, 3)
-        nearest = points[np.argsort(np.sum(points**2, axis=1), kind="stable")]
+        nearest = _nearest_first(points)
         for count, part, share, step in ROUNDS:
             some = _spread(nearest[: max(int(part * len(nearest)), FEWEST_POINTS)], count)
             tried = tried[_free(some, tried, *solids, reach, *self._cone(), int(share * len(some)))]
@@ -123,8 +159,15 @@ class SeenThrough:
                 return np.empty((0, 3))
             if step > 0 and len(tried):
                 tried = _beside(tried, step)
+        if len(tried):
+            source.keep(centre, tried)
         # the sensor may stand between the places tried
         return _beside(tried, FINEST_DEG) if len(tried) else tried
+
+
+def _nearest_first(points: FloatArray) -> FloatArray:
+    """(n, 3) points in the order of their distance from the origin."""
+    return np.asarray(points[np.argsort(np.sum(points**2, axis=1), kind="stable")])
 
 
 def _spread(points: FloatArray, count: int) -> FloatArray:

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -58,6 +57,8 @@ MOST_EXPECTED = 0.97
 """Probability beyond which no patch is expected: there are wet and dark places, and poses err."""
 GOES_ON, AGAINST = 0.3, -2.3
 """Share of a sector's patches beyond a break that are seen where there is none, and the evidence of such a sector."""
+GROUP = 32
+"""Points that are asked together whether they fall into a map."""
 STEPS = 30
 PRIOR_MISSES = 3.0
 """Patches that a direction did not show, before looking: most directions show nothing."""
@@ -82,46 +83,13 @@ def leg_places(body: FloatArray, unit: UnitType) -> LegPlaces:
     return LegPlaces(leg, axial, rho, sector)
 
 
-@dataclass(frozen=True, eq=False)
-class LegSights:
-    """What the cloud shows and should show of the sides of a unit's legs.
-
-    Attributes
-    ----------
-    expected
-        (4, RINGS, SECTORS) probability that a patch holds points if the leg is whole.
-    seen
-        (4, RINGS, SECTORS) whether it does.
-    """
-
-    expected: FloatArray
-    seen: BoolArray
-
-    def missing(self, leg: int) -> tuple[float, float]:
-        """Evidence that a leg ends early (natural logarithm of odds) and the share of it that is left.
-
-        The patches of a sector beyond a break lie in one another's shadow, so that all of them count as one.
-        """
-        expected, seen = np.minimum(self.expected[leg], MOST_EXPECTED), self.seen[leg]
-        best, left = 0.0, 1.0
-        for ring in range(LAST_SHAFT_RING, FIRST_TIP_RING):
-            beyond = seen[ring:].mean(axis=0)
-            gone = -np.log1p(-expected[ring:].mean(axis=0)) * np.where(beyond > 0, 0.5, 1.0)
-            # a sector tells of a break where its shaft is seen up to it, and against one where it goes on
-            upto = seen[ring - LAST_SHAFT_RING : ring].any(axis=0)
-            evidence = float(np.where(beyond > GOES_ON, AGAINST, np.where(upto, gone, 0.0)).sum())
-            if evidence > best:
-                best, left = evidence, float(ring_places()[ring])
-        return best, left
-
-
 def ring_places() -> FloatArray:
     """(RINGS + 1,) shares of the leg at which rings end."""
     return np.linspace(FIRST, LAST, RINGS + 1)
 
 
 class SightLines:
-    """Sights of the units of one cloud, made as they are asked for."""
+    """What the cloud shows and should show of the sides of the units' legs, looked at as it is asked for."""
 
     def __init__(self, points: FloatArray, tree: cKDTree, poses: FloatArray, unit: UnitType, noise: float) -> None:
         """Look at (n, 3) points of a cloud, metres, and the tree of them, with units of one type in (k, 12) poses, centres and row-major
@@ -138,25 +106,59 @@ class SightLines:
         self._pixel = max(PIXEL_HEIGHTS * unit.height, PIXEL_SPACINGS * spacing)
         self._tolerance = max(ON_SURFACE_HEIGHTS * unit.height, ON_SURFACE_NOISE * noise)
         self._pools = _pools(poses[:, :3], unit.height)
-        self._known: dict[int, tuple[BoolArray, BoolArray]] = {}
+        self._opened: dict[int, BoolArray] = {}
+        self._shown: dict[int, BoolArray] = {}
+        self._expected: dict[int, FloatArray] = {}
 
-    def of(self, number: int) -> LegSights:
-        """Sights of a unit's legs."""
-        pool = [self._look(k) for k in self._pools[number]]
-        return _expected([opened for opened, _ in pool], [seen for _, seen in pool])
+    def missing(self, number: int, leg: int, least: float) -> tuple[float, float]:
+        """Evidence that a leg of a unit ends early (natural logarithm of odds) and the share of it that is left.
 
-    def _look(self, number: int) -> tuple[BoolArray, BoolArray]:
-        if number not in self._known:
-            pose, height = self._poses[number], self._unit.height
+        Evidence below ``least`` may be told as 0: what should be seen is not asked where it cannot reach it.
+        """
+        seen = self._seen(number)[leg]
+        if _missing(np.full(seen.shape, MOST_EXPECTED), seen)[0] < least:
+            return 0.0, 1.0
+        if number not in self._expected:
+            pool = self._pools[number]
+            self._expected[number] = _expected([self._look(k) for k in pool], [self._seen(k) for k in pool])
+        return _missing(self._expected[number][leg], seen)
+
+    def _seen(self, number: int) -> BoolArray:
+        if number not in self._shown:
+            pose = self._poses[number]
+            near = self._points[self._raw.query_ball_point(pose[:3], self._unit.reach)] - pose[:3]
+            self._shown[number] = _seen(near @ pose[3:].reshape(3, 3), self._unit, self._tolerance)
+        return self._shown[number]
+
+    def _look(self, number: int) -> BoolArray:
+        if number not in self._opened:
+            pose = self._poses[number]
             rotation = pose[3:].reshape(3, 3)
             patches, normals = _patches(self._unit)
-            around = self._thinned[self._tree.query_ball_point(pose[:3], AROUND_HEIGHTS * height)] - pose[:3]
-            opened = _open(
+            around = self._thinned[self._tree.query_ball_point(pose[:3], AROUND_HEIGHTS * self._unit.height)] - pose[:3]
+            self._opened[number] = _open(
                 around, patches @ rotation.T, normals @ rotation.T, *_directions(), self._pixel, LEAST_FACING, MARGIN_PIXELS * self._pixel
             )
-            near = self._points[self._raw.query_ball_point(pose[:3], self._unit.reach)] - pose[:3]
-            self._known[number] = opened, _seen(near @ rotation, self._unit, self._tolerance)
-        return self._known[number]
+        return self._opened[number]
+
+
+def _missing(expected: FloatArray, seen: BoolArray) -> tuple[float, float]:
+    """Evidence that a leg ends early and the share of it that is left, from (RINGS, SECTORS) probabilities that its patches hold points if
+    it is whole, and whether they do.
+
+    The patches of a sector beyond a break lie in one another's shadow, so that all of them count as one.
+    """
+    expected = np.minimum(expected, MOST_EXPECTED)
+    best, left = 0.0, 1.0
+    for ring in range(LAST_SHAFT_RING, FIRST_TIP_RING):
+        beyond = seen[ring:].mean(axis=0)
+        gone = -np.log1p(-expected[ring:].mean(axis=0)) * np.where(beyond > 0, 0.5, 1.0)
+        # a sector tells of a break where its shaft is seen up to it, and against one where it goes on
+        upto = seen[ring - LAST_SHAFT_RING : ring].any(axis=0)
+        evidence = float(np.where(beyond > GOES_ON, AGAINST, np.where(upto, gone, 0.0)).sum())
+        if evidence > best:
+            best, left = evidence, float(ring_places()[ring])
+    return best, left
 
 
 def _pools(centres: FloatArray, height: float) -> list[list[int]]:
@@ -166,8 +168,8 @@ def _pools(centres: FloatArray, height: float) -> list[list[int]]:
     return [[k, *(int(j) for d, j in zip(ds, js, strict=True) if math.isfinite(d) and j != k)] for k, (ds, js) in enumerate(pairs)]
 
 
-def _expected(opened: Sequence[BoolArray], seen: Sequence[BoolArray]) -> LegSights:
-    """Sights of the first of a pool of units."""
+def _expected(opened: Sequence[BoolArray], seen: Sequence[BoolArray]) -> FloatArray:
+    """(4, RINGS, SECTORS) probability that the patches of the first of a pool of units hold points if its legs are whole."""
     result = np.zeros((4, RINGS, SECTORS))
     shape = (4, RINGS, SECTORS)
     shaft = np.zeros(shape, dtype=np.bool_)
@@ -178,24 +180,46 @@ def _expected(opened: Sequence[BoolArray], seen: Sequence[BoolArray]) -> LegSigh
         # whether this leg is broken is not asked of itself
         asked = shaft.copy()
         asked[np.arange(4) != leg] = True
-        rows = np.concatenate([opened[0][asked.ravel()], *others]).astype(np.float64)
+        rows = np.concatenate([opened[0][asked.ravel()], *others])
         shown = np.concatenate([seen[0][asked], *others_shown])
         told = rows.any(axis=1)
         shares = _noisy_or(rows[told], shown[told])
         mine = opened[0].reshape(*shape, -1)[leg]
         result[leg] = 1 - np.prod(1 - mine * shares, axis=-1)
-    return LegSights(result, seen[0])
+    return result
 
 
-def _noisy_or(opened: FloatArray, shown: BoolArray) -> FloatArray:
+@kernel()
+def _noisy_or(opened: Any, shown: Any) -> Any:
     """(DIRECTIONS,) probabilities that a direction shows a patch that is open to it, from (n, DIRECTIONS) and (n,)."""
-    count = opened.sum(axis=0)
-    shares = np.where(count > 0, 0.5, 0.0)
+    patches, directions = opened.shape
+    # few patches are open to a direction: the lists of those are gone through
+    first, found = np.zeros(patches + 1, dtype=np.int64), np.empty(opened.size, dtype=np.int64)
+    count = np.zeros(directions)
+    for i in range(patches):
+        first[i + 1] = first[i]
+        for d in range(directions):
+            if opened[i, d]:
+                found[first[i + 1]] = d
+                first[i + 1] += 1
+                count[d] += 1.0
+    shares, fired = np.empty(directions), np.empty(directions)
+    for d in range(directions):
+        shares[d] = 0.5 if count[d] > 0.0 else 0.0
     for _ in range(STEPS):
-        chance = 1 - np.prod(1 - opened * shares, axis=1)
-        fired = shares * (opened[shown] / np.maximum(chance[shown], 1e-9)[:, None]).sum(axis=0)
-        shares = np.minimum(fired / (count + PRIOR_MISSES), 0.98)
-    return np.asarray(shares)
+        fired[:] = 0.0
+        for i in range(patches):
+            if not shown[i]:
+                continue
+            missed = 1.0
+            for k in range(first[i], first[i + 1]):
+                missed *= 1.0 - shares[found[k]]
+            weight = 1.0 / max(1.0 - missed, 1e-9)
+            for k in range(first[i], first[i + 1]):
+                fired[found[k]] += weight
+        for d in range(directions):
+            shares[d] = min(shares[d] * fired[d] / (count[d] + PRIOR_MISSES), 0.98)
+    return shares
 
 
 @lru_cache(maxsize=8)
@@ -238,27 +262,54 @@ def _directions() -> tuple[FloatArray, FloatArray, FloatArray]:
 
 
 @kernel()
+def _groups(points: Any) -> Any:
+    """Middles and radii of spheres around every ``GROUP`` points that follow one another."""
+    count = (len(points) + GROUP - 1) // GROUP
+    middles, radii = np.zeros((count, 3)), np.zeros(count)
+    for k in range(count):
+        first, last = k * GROUP, min((k + 1) * GROUP, len(points))
+        for a in range(3):
+            for i in range(first, last):
+                middles[k, a] += points[i, a] / (last - first)
+        for i in range(first, last):
+            x, y, z = points[i, 0] - middles[k, 0], points[i, 1] - middles[k, 1], points[i, 2] - middles[k, 2]
+            radii[k] = max(radii[k], np.sqrt(x * x + y * y + z * z))
+    return middles, radii
+
+
+@kernel()
 def _open(
     points: Any, patches: Any, normals: Any, towards: Any, across: Any, upwards: Any, pixel: float, facing: float, margin: float
 ) -> Any:
-    """(m, d) whether patches are open to directions; points (n, 3) and patches (m, 3) relative to the unit's centre."""
+    """(m, d) whether patches are open to directions; points (n, 3) and patches (m, 3) relative to the unit's centre.
+
+    Points that follow one another should be near one another: most groups of them fall beside a map.
+    """
     reach = 0.0
     for i in range(len(patches)):
         reach = max(reach, np.sqrt(patches[i, 0] ** 2 + patches[i, 1] ** 2 + patches[i, 2] ** 2))
     size = 2 * (int(reach / pixel) + 1)
     half = 0.5 * size * pixel
     result = np.zeros((len(patches), len(towards)), dtype=np.bool_)
+    middles, radii = _groups(points)
+    depth = np.empty((size, size))
     for d in range(len(towards)):
-        depth = np.full((size, size), -np.inf)
-        for i in range(len(points)):
-            u = points[i, 0] * across[d, 0] + points[i, 1] * across[d, 1] + points[i, 2] * across[d, 2] + half
-            v = points[i, 0] * upwards[d, 0] + points[i, 1] * upwards[d, 1] + points[i, 2] * upwards[d, 2] + half
-            if u < 0 or v < 0:
+        depth[:] = -np.inf
+        for k in range(len(middles)):
+            along = middles[k, 0] * towards[d, 0] + middles[k, 1] * towards[d, 1] + middles[k, 2] * towards[d, 2]
+            away = middles[k, 0] ** 2 + middles[k, 1] ** 2 + middles[k, 2] ** 2 - along * along
+            # no corner of the map is farther from its axis
+            if away > (1.4143 * half + radii[k]) ** 2:
                 continue
-            a, b = int(u / pixel), int(v / pixel)
-            if a < size and b < size:
-                z = points[i, 0] * towards[d, 0] + points[i, 1] * towards[d, 1] + points[i, 2] * towards[d, 2]
-                depth[a, b] = max(depth[a, b], z)
+            for i in range(k * GROUP, min((k + 1) * GROUP, len(points))):
+                u = points[i, 0] * across[d, 0] + points[i, 1] * across[d, 1] + points[i, 2] * across[d, 2] + half
+                v = points[i, 0] * upwards[d, 0] + points[i, 1] * upwards[d, 1] + points[i, 2] * upwards[d, 2] + half
+                if u < 0 or v < 0:
+                    continue
+                a, b = int(u / pixel), int(v / pixel)
+                if a < size and b < size:
+                    z = points[i, 0] * towards[d, 0] + points[i, 1] * towards[d, 1] + points[i, 2] * towards[d, 2]
+                    depth[a, b] = max(depth[a, b], z)
         for i in range(len(patches)):
             if normals[i, 0] * towards[d, 0] + normals[i, 1] * towards[d, 1] + normals[i, 2] * towards[d, 2] < facing:
                 continue

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.leg_ends import BROKEN, UNSEEN, WHOLE, leg_ends
+from tetratrack.core.segmentation.leg_ends import BROKEN, UNSEEN, WHOLE, LegView, leg_ends
 
 UNIT = UnitType.tetrapod(2.3)
 
@@ -27,7 +27,7 @@ def unit_with_break(share: float, rng: np.random.Generator, count: int = 12_000)
 @pytest.mark.parametrize("share", [0.6, 0.72, 0.85])
 def test_a_broken_leg_is_named_with_what_is_missing(share: float) -> None:
     rng = np.random.default_rng(5)
-    ends = leg_ends(unit_with_break(share, rng) + rng.normal(0, 0.004, (1, 3)), UNIT, 0.004)
+    ends = leg_ends(LegView(unit_with_break(share, rng) + rng.normal(0, 0.004, (1, 3)), UNIT, 0.004))
     assert ends.states.tolist() == [WHOLE, WHOLE, BROKEN, WHOLE]
     assert ends.missing[2] == pytest.approx((1 - share) * UNIT.leg_length, abs=0.03)
     row = ends.as_row()
@@ -40,7 +40,7 @@ def test_noise_and_strays_break_no_leg() -> None:
     for noise in (0.004, 0.02):
         points, _, _ = sample_surface(UNIT, 3000, rng)
         strays = rng.uniform(-1.5, 1.5, (40, 3))
-        ends = leg_ends(np.vstack([points + rng.normal(0, noise, points.shape), strays]), UNIT, noise)
+        ends = leg_ends(LegView(np.vstack([points + rng.normal(0, noise, points.shape), strays]), UNIT, noise))
         assert BROKEN not in ends.states
 
 
@@ -49,6 +49,6 @@ def test_nothing_is_said_of_an_end_that_is_not_seen() -> None:
     points, _, _ = sample_surface(UNIT, 6000, rng)
     lean = points @ UNIT.leg_directions.T
     hidden = (np.argmax(lean, axis=1) == 1) & (lean[:, 1] > 0.6 * UNIT.leg_length)
-    ends = leg_ends(points[~hidden], UNIT, 0.004)
+    ends = leg_ends(LegView(points[~hidden], UNIT, 0.004))
     assert ends.states.tolist() == [WHOLE, UNSEEN, WHOLE, WHOLE]
-    assert leg_ends(np.empty((0, 3)), UNIT, 0.0).as_row()["leg_probability"] is None
+    assert leg_ends(LegView(np.empty((0, 3)), UNIT, 0.0)).as_row()["leg_probability"] is None

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 from tetratrack.core.model.tetrapod import relate, sample_surface
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.leg_ends import BROKEN, UNSEEN, leg_ends, sides_to_end
+from tetratrack.core.segmentation.leg_ends import BROKEN, UNSEEN, LegView, leg_ends
 from tetratrack.core.segmentation.seen_through import SeenThrough
 
 UNIT = UnitType.tetrapod(2.3)
@@ -60,7 +60,9 @@ def test_beams_pass_where_an_end_is_missing_and_nowhere_else(scene: tuple[float,
     if left < 1:
         assert missing > 20
         body = (points - poses[0, :3]) @ poses[0, 3:].reshape(3, 3)
-        ends = leg_ends(body[np.linalg.norm(body, axis=1) < 1.1 * UNIT.reach], UNIT, 0.006, None, lambda k, at: through.through(0, k, at))
+        ends = leg_ends(
+            LegView(body[np.linalg.norm(body, axis=1) < 1.1 * UNIT.reach], UNIT, 0.006), None, lambda k, at: through.through(0, k, at)
+        )
         assert ends.states[LEG] == BROKEN
         assert ends.missing[LEG] == pytest.approx((1 - left) * UNIT.leg_length, abs=0.08 * UNIT.leg_length)
         assert (ends.states != BROKEN).sum() == 3
@@ -78,6 +80,6 @@ def test_sides_that_go_on_need_no_beams() -> None:
     body, _, _ = sample_surface(UNIT, 12_000, np.random.default_rng(3))
     lean = body @ UNIT.leg_directions.T
     short = body[~((np.argmax(lean, axis=1) == LEG) & (lean[:, LEG] > 0.7 * UNIT.leg_length))]
-    assert sides_to_end(body, UNIT, 0.004).all()
-    assert sides_to_end(short, UNIT, 0.004).tolist() == [k != LEG for k in range(4)]
-    assert leg_ends(short, UNIT, 0.004).states[LEG] == UNSEEN
+    assert LegView(body, UNIT, 0.004).sides_to_end().all()
+    assert LegView(short, UNIT, 0.004).sides_to_end().tolist() == [k != LEG for k in range(4)]
+    assert leg_ends(LegView(short, UNIT, 0.004)).states[LEG] == UNSEEN

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.leg_ends import BROKEN, leg_ends
+from tetratrack.core.segmentation.leg_ends import BROKEN, LegView, leg_ends
 from tetratrack.core.segmentation.sight_lines import SightLines
 
 UNIT = UnitType.tetrapod(2.3)
@@ -55,7 +57,7 @@ def test_a_leg_is_missed_where_what_lies_behind_it_is_seen(broken: bool, roof: b
     cloud, poses = scene(np.random.default_rng(4), broken=broken, roof=roof)
     lines = SightLines(cloud, cKDTree(cloud), poses, UNIT, 0.008)
     body = (cloud - poses[0, :3]) @ poses[0, 3:].reshape(3, 3)
-    ends = leg_ends(body[np.linalg.norm(body, axis=1) < 1.1 * UNIT.reach], UNIT, 0.008, lambda: lines.of(0))
+    ends = leg_ends(LegView(body[np.linalg.norm(body, axis=1) < 1.1 * UNIT.reach], UNIT, 0.008), partial(lines.missing, 0))
     assert (ends.states[1] == BROKEN) == expected
     assert (ends.states[[0, 2, 3]] != BROKEN).all()
     if expected:
