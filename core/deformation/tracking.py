@@ -34,6 +34,7 @@ from .epoch_pairs import EpochPair, TrackedUnits, compare_epochs, joint_block, s
 from .fitted_unit import FittedUnit
 from .identity import FoundUnits, Track, identify
 from .joint_records import JointAdjustment, UnitSighting
+from .legs_over_epochs import legs_over_epochs
 from .presence import look_up, settled_on
 from .relocation import join_relocated
 from .strip_offsets import adjust_jointly
@@ -149,6 +150,7 @@ def track(
         seen[unit][epoch] = sighting
     tracks, seen, states = _without_rivals(tracks, seen, states, recovered)
     tracks, seen, states = join_relocated(tracks, seen, states, identities.shifts)
+    seen = [_with_legs(own) for own in seen]
     joint, numbers = _adjust(seen, {unit: mould for unit, mould in zip(units, moulds) if mould is not None})
     epochs = [_with_mean_offset(e, k, joint) for k, e in enumerate(epochs)]
     sure = np.array([all(s.score >= SURE_SCORE for s in own.values()) for own in seen], dtype=np.bool_)
@@ -174,6 +176,12 @@ def track(
         frames=frames,
         frame_errors=() if frames is None else chained_errors(frames, _data_of_neighbours(pairs)),
     )
+
+
+def _with_legs(seen: Mapping[int, FittedUnit]) -> dict[int, FittedUnit]:
+    """A unit's sightings by epoch, each with what all of them say of its legs."""
+    legs = legs_over_epochs({epoch: sighting.legs for epoch, sighting in seen.items()})
+    return {epoch: replace(sighting, legs=legs[epoch]) for epoch, sighting in seen.items()}
 
 
 def _data_of_neighbours(pairs: Sequence[EpochPair]) -> list[ElasticDatum | None]:

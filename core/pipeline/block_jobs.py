@@ -267,7 +267,7 @@ def adjusted_nearby(
 
 SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported")
 """Arrays of a block's units before adjustment, one row per unit."""
-LEG_COLUMNS = ("leg_states", "leg_missing", "leg_broken")
+LEG_COLUMNS = ("leg_states", "leg_missing", "leg_broken", "leg_evidence")
 """What the cloud around each unit shows of the ends of its legs, (k, 4) each: see :class:`..segmentation.leg_ends.LegEnds`."""
 POINT_ARRAYS = ("points", "sources", "times")
 """Arrays of a job with one row per point; all others are small."""
@@ -345,7 +345,7 @@ def _leg_ends(cloud: PointCloud, table: Mapping[str, NDArray[Any]], units: Seque
 
     kinds, certain = np.asarray(table["type"]), np.asarray(table["status"]) == "found"
     found = ends_of_units(cloud.xyz, cloud.source_id, np.asarray(table["poses"]), kinds, certain, units)
-    columns = ("states", "missing", "broken")
+    columns = ("states", "missing", "broken", "evidence")
     return {name: np.array([getattr(f, c) for f in found]).reshape(-1, 4) for name, c in zip(LEG_COLUMNS, columns, strict=True)}
 
 

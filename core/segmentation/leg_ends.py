@@ -67,26 +67,30 @@ class LegEnds:
         (4,) length that is missing of broken legs, metres.
     broken
         (4,) probability that the leg is broken; nan where its end is not seen.
+    evidence
+        (4,) log-likelihood ratio of a broken leg against a whole one, 0 where nothing is seen of it; what was known before is not in it.
     """
 
     states: FloatArray
     missing: FloatArray
     broken: FloatArray
+    evidence: FloatArray
 
     @classmethod
     def unseen(cls) -> LegEnds:
         """Nothing is known."""
-        return cls(np.full(4, UNSEEN), np.zeros(4), np.full(4, math.nan))
+        return cls(np.full(4, UNSEEN), np.zeros(4), np.full(4, math.nan), np.zeros(4))
 
     def renumbered(self, order: FloatArray) -> LegEnds:
         """With the legs in another order, (4,) old numbers by new ones."""
-        return LegEnds(self.states[order], self.missing[order], self.broken[order])
+        return LegEnds(self.states[order], self.missing[order], self.broken[order], self.evidence[order])
 
     def as_row(self) -> dict[str, object]:
         """Fields of the layer ``units``."""
         row: dict[str, object] = {f"leg{k + 1}": LEG_STATES[int(state)] for k, state in enumerate(self.states)}
         seen = self.states != UNSEEN
-        row["leg_missing"] = float(self.missing.max()) if (self.states == BROKEN).any() else None
+        gone = self.missing[self.states == BROKEN]
+        row["leg_missing"] = float(gone.max()) if len(gone) else None
         row["leg_probability"] = float(self.broken[seen].max()) if seen.any() else None
         return row
 
@@ -96,11 +100,10 @@ class LegEnds:
         states = np.array([LEG_STATES.index(row[f"leg{k + 1}"]) if row.get(f"leg{k + 1}") in LEG_STATES else UNSEEN for k in range(4)])
         broken = states == BROKEN
         missing, probability = row.get("leg_missing"), row.get("leg_probability")
-        return cls(
-            states,
-            np.where(broken, missing if missing is not None else 0.0, 0.0),
-            np.where(states == UNSEEN, math.nan, probability if probability is not None else math.nan),
-        )
+        told = np.where(states == UNSEEN, math.nan, probability if probability is not None else math.nan)
+        sure = np.clip(told, 1e-9, 1 - 1e-9)
+        evidence = np.where(np.isnan(told), 0.0, np.log(sure / (1 - sure)) - PRIOR_ODDS)
+        return cls(states, np.where(broken, missing if missing is not None else 0.0, 0.0), told, evidence)
 
 
 def leg_ends(
@@ -127,6 +130,7 @@ def leg_ends(
             continue
         broken = 1 / (1 + math.exp(-min(max(odds, -500.0), 500.0)))
         result.broken[k] = broken
+        result.evidence[k] = odds - PRIOR_ODDS
         result.states[k] = BROKEN if broken > 0.5 else WHOLE
         if broken > 0.5:
             result.missing[k] = unit.leg_length - place
