@@ -33,6 +33,8 @@ WORTH_SCALE = 0.04
 """Share of its worth that makes a twist less likely by a factor e: a few of a hundred elements, which chance easily aligns."""
 ROOM_SD = 0.015
 """Share of a unit's volume by which true neighbours seem to enter each other, as poses are not exact (standard deviation)."""
+SURELY_NOT = 1e-12
+"""Likelihood below which twists are ruled out alike."""
 OPEN_TWIST = np.radians(10)
 """Standard deviation of the twist above which its mean is taken, not what chance aligned."""
 FEATURE_TOLERANCE = 0.15
@@ -85,7 +87,8 @@ def settle_twists(poses: FloatArray, found: Evidence, sure: BoolArray, scene: Sc
     poses = poses.copy()
     certainty = np.ones(len(poses))
     few = np.flatnonzero(found.legs <= FEW_LEGS)
-    standing = [int(k) for k in np.flatnonzero(sure & (found.legs > FEW_LEGS))]
+    # units that stand in the way, and how far each is known to be where it seems to be
+    standing = {int(k): 1.0 for k in np.flatnonzero(sure & (found.legs > FEW_LEGS))}
     leg = {int(k): _main_leg(poses[k], scene.points[owner == k], unit, scene.tolerance) for k in few}
     values = {k: _worth_of_twists(poses[k], leg[k], (owner == k) | (owner < 0), scene) for k in leg}
     # units that their own points settle stand in the way of those that need the room to be settled
@@ -93,16 +96,25 @@ def settle_twists(poses: FloatArray, found: Evidence, sure: BoolArray, scene: Sc
     for k in sorted(leg, key=lambda k: (alone[k].sd, k)):
         near = [j for j in standing if np.sum((poses[j, :3] - poses[k, :3]) ** 2) < (2 * unit.reach) ** 2]
         twists = _turned(poses[k], leg[k], ANGLES, unit)
-        entered = np.array([max((overlap(pose, poses[j], unit) for j in near), default=0.0) for pose in twists])
-        known = twist_of(values[k], entered, unit)
+        entered = np.array([[overlap(pose, poses[j], unit) for j in near] for pose in twists]).reshape(STEPS, len(near))
+        known = twist_of(values[k], entered_by_trust(entered, np.array([standing[j] for j in near])), unit)
         if known.sd > OPEN_TWIST:
             poses[k] = _turned(poses[k], leg[k], np.array([known.mean]), unit)[0]
         rival = _best_rival(poses[k], leg[k], poses[near], scene, owner == k, owner < 0)
         margin = (1 - rival / max(float(values[k].max()), 1e-9)) / RIVAL_MARGIN
         certainty[k] = min(known.certainty, float(np.clip(margin, 0, 1)))
         if sure[k] and certainty[k] > 0.5:
-            standing.append(k)
+            standing[int(k)] = float(certainty[k])
     return poses, certainty
+
+
+def entered_by_trust(entered: FloatArray, trust: FloatArray) -> FloatArray:
+    """(STEPS,) shares of volume that speak as much against each twist as (STEPS, n) shares inside n neighbours that may be elsewhere.
+
+    With its ``trust`` (n,), 0 to 1, a neighbour is where it seems to be; otherwise it says nothing. The neighbour that says most counts.
+    """
+    likely = np.min(trust * np.exp(-0.5 * (entered / ROOM_SD) ** 2) + (1 - trust), axis=1, initial=1.0)
+    return np.asarray(ROOM_SD * np.sqrt(-2 * np.log(np.maximum(likely, SURELY_NOT))))
 
 
 def _main_leg(pose: FloatArray, points: FloatArray, unit: UnitType, tolerance: float) -> int:

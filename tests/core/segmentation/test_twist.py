@@ -9,7 +9,7 @@ from tetratrack.core.model.pose import Pose, rotation_angle
 from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.segmentation.segment import FOUND_SCORE, segment
-from tetratrack.core.segmentation.twist import LEAST_CERTAINTY, ROOM_SD, STEPS, TURN, tolerated_twist, twist_of
+from tetratrack.core.segmentation.twist import LEAST_CERTAINTY, ROOM_SD, STEPS, TURN, entered_by_trust, tolerated_twist, twist_of
 from tetratrack.core.simulation.sampled_unit import cloud_of, interlocked_poses
 
 UNIT = UnitType.tetrapod(2.3)
@@ -54,6 +54,23 @@ def test_room_on_one_side_gives_the_middle_of_it():
     # evenly spread over 1.09 rad
     assert known.sd == pytest.approx(1.09 / np.sqrt(12), rel=0.1)
     assert known.certainty == pytest.approx(1.0, abs=0.02)
+
+
+def test_neighbours_that_surely_stand_speak_by_the_volume_they_share():
+    entered = np.linspace(0, 0.09, 2 * STEPS).reshape(STEPS, 2)
+    assert entered_by_trust(entered, np.ones(2)) == pytest.approx(entered.max(axis=1))
+    assert entered_by_trust(np.zeros((STEPS, 0)), np.zeros(0)) == pytest.approx(0)
+
+
+def test_a_neighbour_that_may_stand_elsewhere_settles_no_twist():
+    angles = np.arange(STEPS) * TURN / STEPS
+    entered = np.where((angles > 0.2) & (angles < 1.9), 4 * ROOM_SD, 0.0)[:, None]
+    sure = twist_of(np.full(STEPS, 100.0), entered_by_trust(entered, np.ones(1)), UNIT)
+    doubtful = twist_of(np.full(STEPS, 100.0), entered_by_trust(entered, np.array([0.55])), UNIT)
+    assert sure.certainty > 0.95
+    # with a probability of 0.45 all twists are alike
+    assert entered_by_trust(entered, np.array([0.55]))[10] == pytest.approx(ROOM_SD * np.sqrt(-2 * np.log(0.45)), rel=0.01)
+    assert doubtful.certainty < 0.4
 
 
 def test_all_twists_alike_are_no_knowledge():
