@@ -6,6 +6,7 @@ however: tetrapods do not enter each other, and in a pile that leaves few twists
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -43,8 +44,10 @@ SAME_AXIS = np.radians(12)
 """Legs whose axes differ less are the same leg, seen in two poses."""
 LEAST_CERTAINTY = 0.1
 """Certainty of a unit whose twist is open: it is there, and reported as uncertain."""
+LEAST_MISFIT = 0.15
+"""Of the tolerance, below which a misfit tells no more: elements are not independent."""
 RIVAL_MARGIN = 0.08
-"""Share of its worth by which a pose must beat every pose with other legs in its place to count as unambiguous."""
+"""Share of its log-likelihood by which a pose must beat every pose with other legs in its place to count as unambiguous."""
 RIVAL_OVERLAP = 0.03
 """Share of its volume by which such a pose may enter another unit."""
 
@@ -90,7 +93,8 @@ def settle_twists(poses: FloatArray, found: Evidence, sure: BoolArray, scene: Sc
     # units that stand in the way, and how far each is known to be where it seems to be
     standing = {int(k): 1.0 for k in np.flatnonzero(sure & (found.legs > FEW_LEGS))}
     leg = {int(k): _main_leg(poses[k], scene.points[owner == k], unit, scene.tolerance) for k in few}
-    values = {k: _worth_of_twists(poses[k], leg[k], (owner == k) | (owner < 0), scene) for k in leg}
+    twisted = {k: evidence(_turned(poses[k], leg[k], ANGLES, unit), scene, (owner == k) | (owner < 0)) for k in leg}
+    values = {k: worth(found) for k, found in twisted.items()}
     # units that their own points settle stand in the way of those that need the room to be settled
     alone = {k: twist_of(values[k], np.zeros(STEPS), unit) for k in leg}
     for k in sorted(leg, key=lambda k: (alone[k].sd, k)):
@@ -101,7 +105,7 @@ def settle_twists(poses: FloatArray, found: Evidence, sure: BoolArray, scene: Sc
         if known.sd > OPEN_TWIST:
             poses[k] = _turned(poses[k], leg[k], np.array([known.mean]), unit)[0]
         rival = _best_rival(poses[k], leg[k], poses[near], scene, owner == k, owner < 0)
-        margin = (1 - rival / max(float(values[k].max()), 1e-9)) / RIVAL_MARGIN
+        margin = (1 - rival / max(float(log_likelihood(twisted[k], scene.tolerance).max()), 1e-9)) / RIVAL_MARGIN
         certainty[k] = min(known.certainty, float(np.clip(margin, 0, 1)))
         if sure[k] and certainty[k] > 0.5:
             standing[int(k)] = float(certainty[k])
@@ -130,9 +134,14 @@ def _turned(pose: FloatArray, leg: int, angles: FloatArray, unit: UnitType) -> F
     return np.column_stack([np.tile(pose[:3], (len(angles), 1)), turns.reshape(-1, 9)])
 
 
-def _worth_of_twists(pose: FloatArray, leg: int, own: BoolArray, scene: Scene) -> FloatArray:
-    """(STEPS,) worth of the pose in every twist about a leg."""
-    return worth(evidence(_turned(pose, leg, ANGLES, scene.unit), scene, own))
+def log_likelihood(found: Evidence, tolerance: float) -> FloatArray:
+    """(k,) how much likelier poses make their elements than chance does, natural logarithm, those inside the solid counting against it.
+
+    Chance spreads an element over the window of twice the ``tolerance`` (metres) on either side of the surface, a unit puts it there with
+    the standard deviation that the misfit tells. Some elements more on a surface that fits them worse may be none of it.
+    """
+    misfit = np.maximum(found.misfit / tolerance, LEAST_MISFIT)
+    return np.asarray(worth(found) * np.maximum(np.log(4 / (math.sqrt(2 * math.pi * math.e) * misfit)), 0.0))
 
 
 def twist_of(values: FloatArray, entered: FloatArray, unit: UnitType) -> Twist:
@@ -159,7 +168,7 @@ def tolerated_twist(unit: UnitType) -> float:
 
 
 def _best_rival(pose: FloatArray, main: int, others: FloatArray, scene: Scene, own: BoolArray, free: BoolArray) -> float:
-    """Worth of the best pose that has no leg where the main one is, explains the same elements, and does not enter another unit."""
+    """Log-likelihood of the likeliest pose that has no leg where the main one is and does not enter another unit, for the same elements."""
     unit = scene.unit
     twists = [_turned(pose, leg, np.radians([24.0, 48.0, 72.0, 96.0]), unit) for leg in range(4) if leg != main]
     legs = find_legs(scene, own, 0)
@@ -177,7 +186,7 @@ def _best_rival(pose: FloatArray, main: int, others: FloatArray, scene: Scene, o
     rivals = rivals[different]
     # most twists end in the same few poses
     rivals = rivals[without_copies(rivals, unit.symmetries, 0.02 * unit.height, np.cos(np.radians(2)))]
-    value = worth(evidence(rivals, scene, both))
+    value = log_likelihood(evidence(rivals, scene, both), scene.tolerance)
     for k in np.argsort(-value, kind="stable"):
         if value[k] > 0 and all(overlap(rivals[k], other, unit) <= RIVAL_OVERLAP for other in others):
             return float(value[k])

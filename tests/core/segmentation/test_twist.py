@@ -8,8 +8,19 @@ from scipy.spatial.transform import Rotation
 from tetratrack.core.model.pose import Pose, rotation_angle
 from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.segmentation.scene import Evidence
 from tetratrack.core.segmentation.segment import FOUND_SCORE, segment
-from tetratrack.core.segmentation.twist import LEAST_CERTAINTY, ROOM_SD, STEPS, TURN, entered_by_trust, tolerated_twist, twist_of
+from tetratrack.core.segmentation.twist import (
+    LEAST_CERTAINTY,
+    LEAST_MISFIT,
+    ROOM_SD,
+    STEPS,
+    TURN,
+    entered_by_trust,
+    log_likelihood,
+    tolerated_twist,
+    twist_of,
+)
 from tetratrack.core.simulation.sampled_unit import cloud_of, interlocked_poses
 
 UNIT = UnitType.tetrapod(2.3)
@@ -71,6 +82,21 @@ def test_a_neighbour_that_may_stand_elsewhere_settles_no_twist():
     # with a probability of 0.45 all twists are alike
     assert entered_by_trust(entered, np.array([0.55]))[10] == pytest.approx(ROOM_SD * np.sqrt(-2 * np.log(0.45)), rel=0.01)
     assert doubtful.certainty < 0.4
+
+
+def test_a_closer_fit_outweighs_some_elements():
+    # the false pose of tls_quay seen from station 3 alone, and the true one
+    more = Evidence(np.array([[91.0, 92.0, 0.0, 8.0, 1.0, 0.00596, 98.0]]))
+    closer = Evidence(np.array([[86.0, 86.0, 0.0, 5.0, 1.0, 0.0040, 88.0]]))
+    tolerance = 0.0208
+    assert log_likelihood(closer, tolerance)[0] > log_likelihood(more, tolerance)[0]
+    # Gaussian density of residuals at their own deviation over that of the window of four tolerances, for each element
+    expected = 91 * (np.log(4 * tolerance) - 0.5 * np.log(2 * np.pi * np.e * 0.00596**2))
+    assert log_likelihood(more, tolerance)[0] == pytest.approx(expected)
+    # elements inside the solid speak against, and closeness beyond what neighbouring elements tell counts no more
+    assert log_likelihood(more.replaced(inside=31), tolerance)[0] < 0
+    closest, least = more.replaced(misfit=1e-6), more.replaced(misfit=LEAST_MISFIT * tolerance)
+    assert log_likelihood(closest, tolerance) == log_likelihood(least, tolerance)
 
 
 def test_all_twists_alike_are_no_knowledge():
