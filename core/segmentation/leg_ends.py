@@ -48,9 +48,8 @@ PRIOR_ODDS = math.log(0.02 / 0.98)
 SIGHT_WEIGHT = 0.4
 """Of the evidence of patches that should be seen and are not: sensor directions are known to some degrees only. On whole legs of simulated
 and real surveys it reaches 8, on the broken leg of `uav_as_cast` 12, and 9.7 is asked for."""
-BEAM_WEIGHT = 1.2
-"""Evidence of one beam through the place of an end: on 1500 whole legs of simulated surveys no more than two pass, where that part of a
-broken leg is seen dozens do; four are asked for."""
+LEAST_EVIDENCE = 0.5
+"""Of beams through the place of an end (logarithm of a likelihood ratio): less passes on one of a hundred whole legs."""
 LEAST_SIGHT_SECTORS = 3
 """Sectors of a shaft that must be seen before its end is missed."""
 
@@ -121,9 +120,13 @@ def leg_ends(
         odds, place = view.odds(k)
         if beams is not None and view.may_end_early(k, odds):
             passing = beams(k, SHAFT[1] * unit.leg_length)
-            through = PRIOR_ODDS + BEAM_WEIGHT * passing.beams
-            if through > 0:
-                odds, place = through, view.break_before(k, passing.place)
+            result.evidence[k] = passing.evidence
+            if passing.evidence > LEAST_EVIDENCE:
+                place = view.break_before(k, passing.place)
+                result.missing[k] = unit.leg_length - place
+                through = passing.evidence + (PRIOR_ODDS if math.isnan(odds) else odds)
+                # what proves nothing by itself may do so with other epochs
+                odds = through if through > 0 or not math.isnan(odds) else odds
         if math.isnan(odds) and sights is not None and view.shaft_sectors(k) >= LEAST_SIGHT_SECTORS:
             odds, place = _odds_of_sights(sights(k, -PRIOR_ODDS / SIGHT_WEIGHT), unit)
         if math.isnan(odds):

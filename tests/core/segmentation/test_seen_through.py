@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 from tetratrack.core.model.tetrapod import relate, sample_surface
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.leg_ends import BROKEN, UNSEEN, LegView, leg_ends
+from tetratrack.core.segmentation.leg_ends import BROKEN, PRIOR_ODDS, UNSEEN, LegView, leg_ends
 from tetratrack.core.segmentation.seen_through import SeenThrough
 
 UNIT = UnitType.tetrapod(2.3)
@@ -54,11 +54,11 @@ def scene(request: pytest.FixtureRequest) -> tuple[float, np.ndarray, np.ndarray
 def test_beams_pass_where_an_end_is_missing_and_nowhere_else(scene: tuple[float, np.ndarray, np.ndarray, np.ndarray]) -> None:
     left, points, sources, poses = scene
     through = SeenThrough(points, sources, poses, np.zeros((2, 4), dtype=bool), UNIT, 0.006)
-    passing = [through.through(unit, leg, 0.6 * UNIT.leg_length).beams for unit in (0, 1) for leg in range(4)]
+    passing = [through.through(unit, leg, 0.6 * UNIT.leg_length).evidence for unit in (0, 1) for leg in range(4)]
     missing = passing.pop(LEG)
-    assert max(passing) <= 2
+    assert max(passing) < -PRIOR_ODDS
     if left < 1:
-        assert missing > 20
+        assert missing > 10
         body = (points - poses[0, :3]) @ poses[0, 3:].reshape(3, 3)
         ends = leg_ends(
             LegView(body[np.linalg.norm(body, axis=1) < 1.1 * UNIT.reach], UNIT, 0.006), None, lambda k, at: through.through(0, k, at)
@@ -67,13 +67,13 @@ def test_beams_pass_where_an_end_is_missing_and_nowhere_else(scene: tuple[float,
         assert ends.missing[LEG] == pytest.approx((1 - left) * UNIT.leg_length, abs=0.08 * UNIT.leg_length)
         assert (ends.states != BROKEN).sum() == 3
     else:
-        assert missing <= 2
+        assert missing < -PRIOR_ODDS
 
 
 def test_a_source_of_many_places_says_nothing(scene: tuple[float, np.ndarray, np.ndarray, np.ndarray]) -> None:
     _, points, sources, poses = scene
     through = SeenThrough(points, np.zeros_like(sources), poses, np.zeros((2, 4), dtype=bool), UNIT, 0.006)
-    assert through.through(0, LEG, 0.6 * UNIT.leg_length).beams == 0
+    assert through.through(0, LEG, 0.6 * UNIT.leg_length).evidence == 0
 
 
 def test_sides_that_go_on_need_no_beams() -> None:
