@@ -15,7 +15,7 @@ from ..adjustment.surface_estimation import LEAST_MOULD_UNITS
 from ..common.arrays import FloatArray
 from ..common.feedback import Feedback
 from ..data.survey import Survey
-from ..data.tiles import read_points
+from ..data.tiles import PointCloud, read_points
 from ..deformation.displacement import grades_from
 from ..deformation.epoch_frames import TargetShifts
 from ..deformation.fitted_unit import FittedUnit
@@ -34,6 +34,8 @@ from .frame_table import frame_error_rows, frame_settings, stretch_rows
 
 Tables = dict[str, list[dict[str, Any]]]
 
+HELD_POINTS = 1_000_000
+"""Points of clouds that are kept for the next question, some 40 MB."""
 FEW_UNITS = 10
 """Units of a pair below which the prior of the calibration counts about as much as they do: thirty components for its four parameters."""
 
@@ -208,6 +210,17 @@ def _surroundings(
     survey: Survey, epochs: Sequence[EpochUnits], registrations: Mapping[str, Registration], origin: FloatArray, feedback: Feedback
 ) -> Surroundings:
     """Reader of an epoch's cloud around places, for :func:`tetratrack.core.deformation.tracking.track`."""
+    held: dict[tuple[int, int], PointCloud] = {}
+
+    def cloud_of(number: int, place: int) -> PointCloud:
+        # a block is asked for from the epoch that misses units and from those that show them
+        if (number, place) not in held:
+            block = epochs[number].plan.blocks[place]
+            cloud = read_points(block.tiles, survey.crs, window=block.core, origin=origin)
+            while held and sum(map(len, held.values())) + len(cloud) > HELD_POINTS:
+                del held[next(iter(held))]
+            held[number, place] = cloud
+        return held[number, place]
 
     def read(number: int, places: FloatArray, reach: float) -> tuple[FloatArray, NDArray[np.integer[Any]]]:
         plan = epochs[number].plan
@@ -217,11 +230,11 @@ def _surroundings(
         tree = cKDTree(where - origin)
         parts: list[FloatArray] = []
         sources: list[NDArray[np.integer[Any]]] = []
-        for block in plan.blocks:
+        for place, block in enumerate(plan.blocks):
             if not block.core.grown(reach).contains(where).any():
                 continue
             feedback.check()
-            cloud = read_points(block.tiles, survey.crs, window=block.core, origin=origin)
+            cloud = cloud_of(number, place)
             near = np.isfinite(tree.query(cloud.xyz, distance_upper_bound=reach)[0])
             parts.append(transformation.apply(cloud.xyz[near] + origin) - origin)
             sources.append(cloud.source_id[near])

@@ -99,6 +99,12 @@ class JobRunner:
             self._pool.shutdown(wait=True, cancel_futures=True)
             self._pool = None
 
+    def start(self, load: Callable[[], None]) -> None:
+        """Start the local processes already and let each ``load`` what its jobs need, while this process does something else."""
+        if self.scheduler is None and self.workers > 1:
+            _check_main_guard()
+            self._submitted([(load,)] * self.workers)
+
     def run(self, jobs: Sequence[Job], progress: Callable[[int, int], None] = lambda done, total: None) -> list[Path]:
         """Run what is not done yet; returns the result files in the order of the jobs.
 
@@ -157,7 +163,7 @@ class JobRunner:
     def _pool_pass(self, tasks: Sequence[Task]) -> Iterator[Task]:
         clean = False
         try:
-            pending = self._submitted(tasks)
+            pending = dict(zip(self._submitted([(_run_and_save, *task) for task in tasks]), tasks, strict=True))
             while pending:
                 done, _ = wait(pending, timeout=0.2, return_when=FIRST_COMPLETED)
                 for future in done:
@@ -173,7 +179,8 @@ class JobRunner:
                     process.kill()
                 self.close()
 
-    def _submitted(self, tasks: Sequence[Task]) -> dict[Future[None], Task]:
+    def _submitted(self, calls: Sequence[tuple[Any, ...]]) -> list[Future[None]]:
+        """Calls, each a function and its arguments, handed to the processes."""
         # an executor starts its processes as tasks come in: these inherit the environment of this moment
         with _interrupts_held(), _worker_environment(max(1, (os.cpu_count() or 1) // self.workers)):
             if self._pool is None:
@@ -185,7 +192,7 @@ class JobRunner:
                     initializer=start_as_worker,
                     initargs=(os.getpid(), threading.current_thread() is threading.main_thread()),
                 )
-            submitted = {self._pool.submit(_run_and_save, *task): task for task in tasks}
+            submitted = [self._pool.submit(*call) for call in calls]
             self._processes = frozenset(multiprocessing.active_children()) - self._strangers
             return submitted
 

@@ -153,10 +153,11 @@ def claim(pose: FloatArray, scene: Scene, active: BoolArray) -> None:
 
 def overlap(a: FloatArray, b: FloatArray, unit: UnitType, other: UnitType | None = None) -> float:
     """Share of the volume of unit ``a`` that lies inside unit ``b``, of the same type unless ``other`` is given; poses (12,)."""
-    samples = solid_samples(unit)
     shape = other or unit
-    inside = samples @ a[3:].reshape(3, 3).T + a[:3] - b[:3]
-    return float(_share_inside(inside @ b[3:].reshape(3, 3), shape.leg_directions, shape.radius, shape.gradient, shape.leg_length))
+    back = b[3:].reshape(3, 3).T
+    turn, shift = back @ a[3:].reshape(3, 3), back @ (a[:3] - b[:3])
+    solid = (np.ascontiguousarray(shape.leg_directions), shape.radius, shape.gradient, shape.leg_length)
+    return float(_share_inside(solid_samples(unit), turn, shift, *solid, shape.reach))
 
 
 @lru_cache(maxsize=32)
@@ -170,17 +171,24 @@ def solid_samples(unit: UnitType) -> FloatArray:
 
 
 @kernel()
-def _share_inside(points: Any, legs: Any, radius: float, gradient: float, length: float) -> float:
+def _share_inside(points: Any, turn: Any, shift: Any, legs: Any, radius: float, gradient: float, length: float, reach: float) -> float:
+    """Share of (n, 3) points, turned and shifted into the body frame of a unit, that lie inside it."""
     inside = 0
     for q in range(len(points)):
+        px, py, pz = points[q, 0], points[q, 1], points[q, 2]
+        x = turn[0, 0] * px + turn[0, 1] * py + turn[0, 2] * pz + shift[0]
+        y = turn[1, 0] * px + turn[1, 1] * py + turn[1, 2] * pz + shift[1]
+        z = turn[2, 0] * px + turn[2, 1] * py + turn[2, 2] * pz + shift[2]
+        square = x * x + y * y + z * z
+        if square > reach * reach:
+            continue
         axial = -1e300
-        x, y, z = points[q, 0], points[q, 1], points[q, 2]
         for k in range(4):
             lean = x * legs[k, 0] + y * legs[k, 1] + z * legs[k, 2]
             if lean > axial:
                 axial = lean
         if axial < length:
             rho = radius - gradient * axial
-            if x * x + y * y + z * z - axial * axial < rho * rho:
+            if square - axial * axial < rho * rho:
                 inside += 1
     return inside / len(points)

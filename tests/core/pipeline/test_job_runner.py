@@ -19,7 +19,7 @@ from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.pipeline.array_files import load_arrays, loaded_arrays, save_arrays
-from tetratrack.core.pipeline.block_jobs import FitJob, adjusted_nearby
+from tetratrack.core.pipeline.block_jobs import FitJob, adjusted_nearby, load_libraries
 from tetratrack.core.pipeline.blocks import plan_blocks
 from tetratrack.core.pipeline.epoch_units import owners
 from tetratrack.core.pipeline.job_runner import JobRunner, job_key
@@ -112,6 +112,18 @@ def test_results_come_in_the_order_of_the_jobs_and_are_kept(tmp_path: Path, work
         (tmp_path / "square-2.npz").write_bytes(b"power was lost here")
         assert _squares(runner.run(jobs)) == [9, 1, 4]
     assert [p.name for p in tmp_path.glob("tried-*")] == ["tried-2"]
+
+
+def test_processes_started_before_there_are_jobs_serve_them(tmp_path: Path) -> None:
+    with JobRunner(tmp_path, 2) as runner:
+        runner.start(load_libraries)
+        first = {child.pid for child in multiprocessing.active_children()}
+        assert len(first) == 2
+        assert _squares(runner.run([Square(1), Square(2)])) == [1, 4]
+        assert {child.pid for child in multiprocessing.active_children()} == first
+    with JobRunner(tmp_path, 1) as runner:
+        runner.start(load_libraries)
+        assert not multiprocessing.active_children()
 
 
 def test_processes_serve_all_calls_and_end_with_the_runner(tmp_path: Path) -> None:
