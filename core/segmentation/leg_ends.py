@@ -182,15 +182,21 @@ class LegView:
         if face:
             odds = PRIOR_ODDS + INDEPENDENT * (_support(face, density * section) - _support(disc, density * section))
             return odds, float(np.median(self.axial[inside]))
-        # a side that stops may lie in the shadow of a neighbour: it proves nothing, one that goes on does
-        tip, expected = self._by_sector(on_side, TIP)[sides].sum(), shaft[sides].sum() * self._area(TIP) / self._area(SHAFT)
-        support = INDEPENDENT * _support(float(tip), float(expected))
-        if support > 0:
-            return PRIOR_ODDS - support, 0.0
+        # a side that stops may lie in the shadow of a neighbour: it proves nothing, one that goes on does; one that goes on to the tip and
+        # stops there may end where the leg breaks
+        tip, end = (INDEPENDENT * self._side_support(on_side, part, shaft) for part in (TIP, END))
+        if tip > 0 and end > 0:
+            return PRIOR_ODDS - tip, 0.0
         support = INDEPENDENT * _support(disc, density * section)
         if disc >= LEAST_POINTS and support > 0:
             return PRIOR_ODDS - support, 0.0
         return math.nan, 0.0
+
+    def _side_support(self, on_side: BoolArray, part: tuple[float, float], shaft: FloatArray) -> float:
+        """Log-likelihood ratio of a part of a leg's side being there, in the sectors that show its shaft; ``shaft`` (SECTORS,) points."""
+        seen = shaft >= LEAST_POINTS
+        expected = shaft[seen].sum() * self._area(part) / self._area(SHAFT)
+        return _support(float(self._by_sector(on_side, part)[seen].sum()), float(expected))
 
     def goes_on(self, leg: int) -> bool:
         """Whether the side of a leg is seen up to its end, in the sectors in which its shaft is."""
