@@ -51,7 +51,7 @@ def chained_errors(frames: EpochFrames, data: Sequence[ElasticDatum | None]) -> 
     for k in range(len(alone) - 2, -1, -1):
         after[k] = _passed_on(alone[k + 1].informed(*after[k + 1]), data[k], -1.0)
     together = [own.informed(a[0] + b[0], a[1] + b[1]) for own, a, b in zip(alone, before, after, strict=True)]
-    factor = _size_of_positions(frames, data)
+    factor = _size_of_positions(data)
     return tuple(replace(field, covariance=field.covariance * factor) for field in together)
 
 
@@ -72,11 +72,14 @@ def _passed_on(known: FieldEstimate, datum: ElasticDatum | None, sign: float) ->
     return 0.5 * (information + information.T), reach @ (datum.information @ known.mean + sign * datum.rhs)
 
 
-def _size_of_positions(frames: EpochFrames, data: Sequence[ElasticDatum | None]) -> float:
-    """Factor of the variance of positions: what the epochs share is another draw than their differences, and the model has its say too."""
-    weights, sizes = [MODEL_BENDS], [1.0]
-    for datum in data:
-        if datum is not None and datum.bends > 0:
-            weights.append(datum.bends)
-            sizes.append(datum.size)
-    return float(np.average(sizes, weights=weights))
+def _size_of_positions(data: Sequence[ElasticDatum | None]) -> float:
+    """Factor of the variance of positions: what the epochs share is another draw than their differences, and the model has its say too.
+
+    A size that few bends tell leaves errors with the tails of t, whose variance is larger than its squared scale.
+    """
+    learned = [(datum.bends, datum.size) for datum in data if datum is not None and datum.bends > 0]
+    if not learned:
+        return 1.0
+    degrees = MODEL_BENDS + sum(bends for bends, _ in learned)
+    size = (MODEL_BENDS + sum(bends * own for bends, own in learned)) / degrees
+    return size * degrees / (degrees - 2)

@@ -28,6 +28,9 @@ MOST_CELLS = 180
 WINDOWS = 2
 LARGEST_SHARE = 1.3
 """Largest standard deviation of a field over that of the shifts themselves."""
+ALIKE = 0.5
+"""How far the standard deviation of a component is drawn to that of all: a coast holds few bends, which leave a single one open by a factor
+of two, while those of plan and height differ by half as a rule (assumed)."""
 GAIN = 12.0
 """Least gain of log-likelihood by which a frame is said to bend; one that does not gains 12 in fewer than one survey of ten thousand."""
 ELONGATED = 3.0
@@ -216,8 +219,15 @@ def _likeliest(
             model = FieldModel(sds=(1.0, 1.0, 1.0), length=length, across=length * ratio, axis=axis, smoothness=smoothness)
             sds, found = _likely(sample, windows, noises, model)
             if found > gain:
-                best, gain = replace(model, sds=sds), found
+                best, gain = replace(model, sds=_alike(sds)), found
     return best, gain
+
+
+def _alike(sds: tuple[float, float, float]) -> tuple[float, float, float]:
+    """Standard deviations of the components that bend, each drawn to what all of them say; those that do not stay zero."""
+    common = math.exp(sum(math.log(sd) for sd in sds if sd > 0) / max(sum(sd > 0 for sd in sds), 1))
+    first, second, third = (sd ** (1 - ALIKE) * common**ALIKE if sd > 0 else 0.0 for sd in sds)
+    return first, second, third
 
 
 def rigid_log_likelihood(sample: ShiftSample) -> float:
