@@ -11,6 +11,10 @@ from pathlib import Path
 
 import pytest
 
+# as the command sets it: sums of several threads differ in the last bit from those of one
+for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+    os.environ.setdefault(_name, "1")
+
 ROOT = Path(__file__).resolve().parents[1]
 
 

@@ -40,6 +40,8 @@ class TrackedEpoch:
         Variance of the mean offset of the epoch's strips or stations per axis, square metres: what a registration cannot know.
     targets
         Its targets after the registration; None without control.
+    datum
+        What its frame hangs on, as field ``datum`` of the result says it.
     """
 
     label: str
@@ -50,6 +52,7 @@ class TrackedEpoch:
     tied_to: int | None = None
     offset_variance: float = 0.0
     targets: TargetShifts | None = None
+    datum: str = "cloud"
 
     @property
     def placement(self) -> Transformation | None:

@@ -286,6 +286,7 @@ def unit_tables(
                 "unit_type": unit.name,
                 "height": unit.height,
                 "status": state.status,
+                "datum": epochs[epoch].datum,
             }
             others = may_be(tracking, k, epoch)
             base["may_be"] = " ".join(names[j] for j in others) or None

@@ -83,6 +83,7 @@ def track_tables(
     settings: dict[str, dict[str, Any]] = {
         e.label: {
             "displacement": dict(limits),
+            "redundancy": e.redundancy,
             "frame": frame_settings(result, k),
             "castings": {shape.name: surface.as_mould(survey.name, shape).as_record() for shape, surface in result.joint.surfaces.items()},
             "source_offsets_m": {
@@ -166,6 +167,7 @@ def _tracked_epoch(
         redundancy=0 if registration is None else registration.redundancy,
         tied_to=None if registration is None or registration.reference is None else labels.index(registration.reference),
         targets=_targets(registration, origin),
+        datum="cloud" if registration is None else registration.datum,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import datetime
@@ -14,13 +15,14 @@ from ..common.arrays import FloatArray
 from ..common.errors import InputError
 from ..common.feedback import Feedback
 from ..common.output_files import check_targets
+from ..common.software import software_version
 from ..data.survey_keys import SECTIONS
 from ..deformation.displacement import grades_from
 from ..deformation.epoch_frames import FrameChoice
 from ..deformation.fitted_unit import FittedUnit
 from ..deformation.identity import FoundUnits
 from ..deformation.tracked_epoch import TrackedEpoch
-from ..deformation.tracking import track
+from ..deformation.tracking import Tracking, track
 from ..deformation.unit_clouds import UnitCloud
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
@@ -31,9 +33,10 @@ from ..segmentation.leg_ends import LegEnds
 from .displacement_table import TableOptions, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
 from .epoch_alignment import PlacedUnits, tie_by_units
 from .epoch_quality import state_quality
-from .frame_table import frame_error_rows, stretch_rows
+from .frame_table import frame_error_rows, frame_settings, stretch_rows
 from .gap_table import gap_rows
 from .registered_layers import RegisteredEpoch, read_registered
+from .stated_frames import StatedFrame, is_registered, stated_frames
 from .unit_input import crs_of_layer, read_units
 
 FROM_FIT = ("legs_visible", "coverage", "score", "sigma0", "n_points", "distance_median", "supported")
@@ -50,7 +53,9 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
     Parameters
     ----------
     units
-        Layer ``units`` of several epochs with covariance, each in the frame of its cloud.
+        Layer ``units`` of several epochs with covariance, each in the frame of its cloud. Units of a whole run or of an earlier tracking,
+        which stand in the control frame, are taken back to their clouds where ``registrations`` has their epoch, and elsewhere stay as
+        they were registered.
     registrations
         GeoPackages of the step ``register``.
     output
@@ -63,7 +68,8 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
     Raises
     ------
     InputError
-        Fewer than two epochs, units without covariance, or epochs that have no units in common.
+        Fewer than two epochs, units without covariance, epochs that have no units in common, or units of the control frame whose
+        registration is not known.
     """
     choice = frame_choice(frame)
     check_targets([(output, "the result")], [units, *registrations])
@@ -90,6 +96,7 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
     gaps = gap_rows(unit_rows, [(epoch.label, epoch.time) for epoch in epochs], types)
     state_quality(unit_rows, types, labels, feedback)
     tables = {
+        "epochs": _epoch_rows(result, epochs, origin),
         "units": unit_rows,
         "gaps": gaps,
         "feature_points": points,
@@ -109,6 +116,23 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
     }
 
 
+def _epoch_rows(result: Tracking, epochs: Sequence[TrackedEpoch], origin: FloatArray) -> list[dict[str, Any]]:
+    """Rows of layer ``epochs``: what the steps after this one must know of the frames."""
+    rows = []
+    for k, epoch in enumerate(epochs):
+        known = epoch.registration
+        record = None if known is None else json.dumps(replace(known, origin_to=known.origin_to + origin).as_record())
+        settings = {"step": "track", "redundancy": epoch.redundancy, "frame": frame_settings(result, k)}
+        rows.append(
+            {
+                "label": epoch.label, "time": epoch.time, "transformation": record, "datum": epoch.datum,
+                "reference_epoch": None if epoch.tied_to is None else epochs[epoch.tied_to].label,
+                "software": f"tetratrack {software_version()}", "settings": json.dumps(settings, sort_keys=True),
+            }
+        )  # fmt: skip
+    return rows
+
+
 def _fitted_epochs(
     units: Path, registrations: Sequence[Path], feedback: Feedback
 ) -> tuple[list[TrackedEpoch], dict[str, list[dict[str, Any]]], dict[str, UnitType], FloatArray]:
@@ -117,15 +141,62 @@ def _fitted_epochs(
     labels = sorted({str(row["epoch"]) for row in rows}, key=lambda label: _time_of(rows, label, units))
     if len(labels) < 2:
         raise InputError(f"holds {len(labels)} epoch", source=units, remedy="Give the units of at least two epochs.")
-    registered = read_registered(registrations)
-    for label in labels:
-        if label not in registered or registered[label].transformation is None:
-            feedback.info(f"{label}: no registration, its cloud's frame is taken as registered")
+    fits = {label: [row for row in rows if row["epoch"] == label] for label in labels}
+    frames = {label: frame for label, frame in stated_frames(units).items() if label in labels}
+    registered, kept = _registered(fits, frames, units, registrations, feedback)
     origin: FloatArray = np.round(np.array([row["geometry"] for row in rows], dtype=np.float64).mean(axis=0))
     kinds = _kinds(rows, units)
-    fits = {label: [row for row in rows if row["epoch"] == label] for label in labels}
-    epochs = [_fitted_epoch(label, fits[label], registered.get(label), kinds, origin, units) for label in labels]
+    epochs = []
+    for label in labels:
+        found = [_as_found(row, frames.get(label), label in kept, units) for row in fits[label]]
+        epochs.append(_fitted_epoch(label, fits[label], found, registered.get(label), kinds, origin, units))
     return [_tied(epoch, registered, labels) for epoch in epochs], fits, kinds, origin
+
+
+def _registered(
+    fits: Mapping[str, Sequence[Mapping[str, Any]]],
+    frames: Mapping[str, StatedFrame],
+    units: Path,
+    registrations: Sequence[Path],
+    feedback: Feedback,
+) -> tuple[dict[str, RegisteredEpoch], set[str]]:
+    """What ties each epoch, and the epochs whose units stay where their own file's registration put them."""  # fmt: skip
+    given = read_registered(registrations)
+    own = {label: epoch.applied() for label, epoch in read_registered([units]).items() if label in frames}
+    kept = {label for label in frames if label not in given or given[label].bent or given[label].transformation is None}
+    for label in sorted(kept):
+        if own[label].bent:
+            # how far its targets leave the bend open is not in it, and the control datum would hang on the units instead
+            raise InputError(
+                f"holds units of {label} in a frame that was bent", source=units, where="layer units",
+                remedy="Give what tetratrack register says of this survey with --registration, or the units of tetratrack fit.",
+            )  # fmt: skip
+        feedback.info(f"{label}: its units are in the control frame already and stay as they were registered")
+    registered = given | {label: own[label] for label in kept}
+    for label, rows in fits.items():
+        if label in registered and label not in frames and any(map(is_registered, rows)):
+            raise InputError(
+                f"holds units of {label} in the control frame, which would be registered twice", source=units,
+                remedy="Give the units of Fit tetrapods, or the whole result instead of its layer, or no registration.",
+            )  # fmt: skip
+        if label not in registered or registered[label].transformation is None:
+            feedback.info(f"{label}: no registration, its cloud's frame is taken as registered")
+    return registered, kept
+
+
+def _as_found(row: Mapping[str, Any], frame: StatedFrame | None, kept: bool, source: Path) -> tuple[Pose, FloatArray]:
+    """Pose and (6, 6) covariance of a unit without what its epoch's frame brings into it; in the frame of the cloud unless ``kept``."""
+    pose = Pose.from_quaternion(row["geometry"], [row["qx"], row["qy"], row["qz"], row["qw"]])
+    if not row.get("covariance"):
+        raise InputError(f"unit {row.get('unit_id')} has no covariance", source=source, remedy=NOT_FITTED)
+    covariance: FloatArray = from_upper_triangle(row["covariance"])[:6, :6]
+    if frame is None:
+        return pose, covariance
+    covariance = frame.own_covariance(pose, covariance)
+    if kept:
+        return pose, covariance
+    turn = np.kron(np.eye(2), frame.transformation.rotation.T)
+    return frame.in_cloud(pose), turn @ covariance @ turn.T
 
 
 def frame_choice(text: str) -> FrameChoice:
@@ -184,7 +255,7 @@ def _moved(epoch: TrackedEpoch, motion: Transformation, origin: FloatArray, root
         )
         for unit in epoch.units
     )
-    return replace(epoch, units=units, registration=replace(motion, origin_to=motion.origin_to - origin), tied_to=root)
+    return replace(epoch, units=units, registration=replace(motion, origin_to=motion.origin_to - origin), tied_to=root, datum="units")
 
 
 def _time_of(rows: Sequence[Mapping[str, Any]], label: str, source: Path) -> datetime:
@@ -210,22 +281,20 @@ def _kinds(rows: Sequence[Mapping[str, Any]], source: Path) -> dict[str, UnitTyp
 def _fitted_epoch(
     label: str,
     rows: Sequence[Mapping[str, Any]],
+    poses: Sequence[tuple[Pose, FloatArray]],
     registered: RegisteredEpoch | None,
     kinds: Mapping[str, UnitType],
     origin: FloatArray,
     source: Path,
 ) -> TrackedEpoch:
-    """Units of an epoch in the control frame less ``origin``; without control in the frame of its cloud."""
+    """Units of an epoch, ``poses`` with (6, 6) covariances as found, in the control frame less ``origin``; without control in the frame
+    of its cloud."""
     registration = None if registered is None else registered.transformation
     transformation = Transformation.identity(origin) if registration is None else registration
     names = list(kinds)
     found = []
-    for row in rows:
-        pose = Pose.from_quaternion(row["geometry"], [row["qx"], row["qy"], row["qz"], row["qw"]])
-        if not row.get("covariance"):
-            raise InputError(f"unit {row.get('unit_id')} has no covariance", source=source, remedy=NOT_FITTED)
-        turn = np.kron(np.eye(2), transformation.rotation)
-        covariance = turn @ from_upper_triangle(row["covariance"])[:6, :6] @ turn.T
+    turn = np.kron(np.eye(2), transformation.rotation)
+    for row, (pose, covariance) in zip(rows, poses, strict=True):
         kind = names.index(str(row.get("unit_type") or "tetrapod"))
         found.append(
             FittedUnit(
@@ -235,7 +304,7 @@ def _fitted_epoch(
                 certain=row.get("status") != "uncertain",
                 discs=np.zeros(4, dtype=np.bool_),
                 cloud=UnitCloud.none(),
-                covariance=covariance,
+                covariance=turn @ covariance @ turn.T,
                 score=_number(row.get("score"), 1.0),
                 n_points=int(_number(row.get("n_points"), 0.0)),
                 legs=LegEnds.from_row(row),
@@ -249,6 +318,7 @@ def _fitted_epoch(
         registration=placed,
         redundancy=0 if registered is None else registered.redundancy,
         targets=None if registered is None else registered.target_shifts(origin),
+        datum="cloud" if registered is None else registered.datum,
     )
 
 

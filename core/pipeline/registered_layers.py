@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -28,16 +28,30 @@ class RegisteredEpoch:
         Of its cloud to control; None where the cloud's own frame was kept.
     redundancy
         Of the registration.
+    datum
+        What its frame hangs on: control, stable areas, units, or cloud.
     reference
         Label of the epoch that it was tied to on stable areas; None without.
+    bent
+        Its frame bends, so that the transformation alone does not bring the cloud to control.
     targets
-        Rows of ``control_residuals``.
+        Rows of ``control_residuals``; none where the frame bends.
     """
 
     transformation: Transformation | None
     redundancy: int
+    datum: str
     reference: str | None
+    bent: bool
     targets: Sequence[Mapping[str, Any]]
+
+    def applied(self) -> RegisteredEpoch:
+        """The same for units that it brought to control already: nothing moves, what it does not know stays."""
+        known = self.transformation
+        if known is None:
+            return self
+        here = Transformation.identity(known.origin_to)
+        return replace(self, transformation=replace(here, covariance=known.covariance))
 
     def target_shifts(self, origin: FloatArray) -> TargetShifts | None:
         """Its targets less the reduction point ``origin`` (3,); None where there are none or their deviations are not stated."""
@@ -65,7 +79,9 @@ def read_registered(paths: Sequence[Path]) -> dict[str, RegisteredEpoch]:
             found[label] = RegisteredEpoch(
                 transformation=transformation_of(json.loads(row.get("transformation") or "{}")),
                 redundancy=int(settings.get("redundancy") or 0),
+                datum=str(row.get("datum") or "cloud"),
                 reference=str(row["reference_epoch"]) if row.get("reference_epoch") else None,
+                bent=bent,
                 targets=() if bent else tuple(target for target in targets if target["epoch"] == label),
             )
     return found

@@ -13,6 +13,7 @@ from ..data.survey import Survey
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..results.geopackage_reader import crs_of, read_given_rows
+from .stated_frames import is_registered, stated_frames
 
 GIVE = "Give a result of tetratrack segment, fit or run."
 
@@ -39,13 +40,15 @@ def read_units(path: Path) -> list[dict[str, Any]]:
 
 
 def read_poses(path: Path, survey: Survey) -> dict[str, list[tuple[float, ...]]]:
-    """Poses of a layer ``units`` by epoch: type of unit, centre and row-major rotation, as :class:`SegmentJob` takes them.
+    """Poses of a layer ``units`` by epoch in the frame of its cloud: type of unit, centre and row-major rotation, as
+    :class:`SegmentJob` takes them.
 
     Raises
     ------
     InputError
-        The file has no such layer or field.
+        The file has no such layer or field, or holds units of the control frame without the registration that brought them there.
     """
+    frames = stated_frames(path)
     kinds = {unit.type.name: k for k, unit in enumerate(survey.units)}
     poses: dict[str, list[tuple[float, ...]]] = {epoch.label: [] for epoch in survey.epochs}
     for row in read_units(path):
@@ -54,6 +57,10 @@ def read_poses(path: Path, survey: Survey) -> dict[str, list[tuple[float, ...]]]
         if row["epoch"] not in poses:
             raise InputError(f"names the epoch {row['epoch']!r}", source=path, remedy=f"Epochs of the survey: {', '.join(poses)}.")
         pose = Pose.from_quaternion(row["geometry"], [row["qx"], row["qy"], row["qz"], row["qw"]])
+        if row["epoch"] in frames:
+            pose = frames[row["epoch"]].in_cloud(pose)
+        elif is_registered(row):
+            raise InputError(f"holds units of {row['epoch']} in the control frame without their registration", source=path, remedy=GIVE)
         poses[row["epoch"]].append((float(kinds.get(row.get("unit_type", ""), 0)), *pose.centre.tolist(), *pose.rotation.ravel().tolist()))
     return poses
 

@@ -52,6 +52,7 @@ def unit_rows(epoch: EpochUnits, ids: Sequence[str]) -> list[Row]:
             "score": table["score"][k],
             "supported": table["supported"][k],
             "status": str(table["status"][k]),
+            "datum": "cloud",
             "geometry": pose.centre,
         }
         if LEG_COLUMNS[0] in table:
@@ -113,11 +114,6 @@ def feature_rows(
 
 def epoch_row(plan: EpochPlan, record: RunRecord, registration: Registration | None, extra: Mapping[str, Any]) -> dict[str, Any]:
     """Row of layer ``epochs``; no registration means that the cloud's own frame was kept and nothing was tied to it."""
-    reference = None if registration is None else registration.reference
-    if reference is not None:
-        datum: str = "cloud" if registration is None else registration.tied_by
-    else:
-        datum = "control" if registration is not None and registration.residuals else "cloud"
     return {
         "label": plan.epoch.label,
         "time": plan.epoch.time,
@@ -125,8 +121,8 @@ def epoch_row(plan: EpochPlan, record: RunRecord, registration: Registration | N
         "points": plan.points,
         "transformation": None if registration is None else json.dumps(registration.transformation.as_record()),
         "sigma0": None if registration is None else registration.sigma0,
-        "datum": datum,
-        "reference_epoch": reference,
+        "datum": "cloud" if registration is None else registration.datum,
+        "reference_epoch": None if registration is None else registration.reference,
         "software": f"tetratrack {software_version()}",
         "settings": record.of_epoch(plan.epoch, extra),
     }

@@ -114,6 +114,13 @@ class Registration:
         )
 
     @property
+    def datum(self) -> str:
+        """What the frame hangs on: control, stable areas, units, or cloud (its own frame), as field ``datum`` of the result says it."""
+        if self.reference is not None:
+            return self.tied_by
+        return "control" if self.residuals else "cloud"
+
+    @property
     def excluded(self) -> tuple[str, ...]:
         """Names of the disturbed targets."""
         return tuple(r.point_id for r in self.residuals if r.outlier)

@@ -165,6 +165,11 @@ LAYERS: dict[str, Layer] = {
                     "probability that there is a unit with this pose, from how well the points agree with it, 0 to 1",
                 ),
                 Field("status", "text", "found, uncertain, new, relocated, lost or unseen"),
+                Field(
+                    "datum",
+                    "text",
+                    "what the frame of the coordinates hangs on: control, stable areas, units, or cloud (as it was surveyed)",
+                ),
                 Field("distance_median", "real", "median absolute distance of the points used to the adjusted surface", "m"),
                 Field(
                     "supported",
