@@ -69,11 +69,14 @@ def matched(result: Path, folder: Path) -> tuple[dict[tuple[str, str], str], lis
 
 
 def seen_stumps(folder: Path) -> set[tuple[str, str]]:
-    """Broken units and epochs with a leg of which points beyond its joint are seen and none at its end."""
+    """Broken units and epochs with a leg of which points beyond its joint are seen and none at its end; none if points have no labels."""
     survey, found = read_survey(folder / "survey.toml"), set()
     shape = survey.units[0].type
     for epoch in survey.epochs:
-        with np.load(folder / f"truth/labels_{epoch.label}.npz") as labels:
+        labelled = folder / f"truth/labels_{epoch.label}.npz"
+        if not labelled.exists():
+            continue
+        with np.load(labelled) as labels:
             clouds = [(laspy.read(path), labels[path.stem]) for path in epoch.tiles if path.stem in labels]
         points = np.vstack([np.column_stack([las.x, las.y, las.z]) for las, _ in clouds])
         numbers = np.concatenate([own for _, own in clouds])

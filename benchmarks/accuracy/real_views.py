@@ -8,12 +8,14 @@ as much as chance gives; one unit in seven moves by 30 mm. Poses start at the fi
 and test, not the search. Copies of a unit share its casting: six units are six, however often they stand there; a seed draws the views.
 
 For each seed and for all: resting and moved units, median and 90th percentile of the error, mean squared normalised error, share of
-coordinates within 1.96 standard deviations, false alarms, and moves flagged where both epochs see 10 % of the unit.
+coordinates within 1.96 standard deviations, false alarms, and moves flagged where both epochs see 10 % of the unit; of all units of which
+both epochs see 10 % of three legs the median and largest turn found, degrees (none turns), and the share of them up to 0.3 degrees.
 """
 
 from __future__ import annotations
 
 import argparse
+import math
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -38,6 +40,8 @@ ON_SURFACE = 0.035
 SPACING = 9.0
 MOVE = 0.03
 SEEN = 0.10
+LARGEST_TURN = 0.3
+"""Degrees that a unit which does not turn may seem to."""
 MOST_POINTS = 5_000
 
 
@@ -86,8 +90,9 @@ def drawn_eyes(rng: np.random.Generator) -> np.ndarray:
 
 
 def survey(real: list[Crop], copies: int, rng: np.random.Generator) -> tuple[list[TrackedEpoch], np.ndarray, np.ndarray]:
-    """Two epochs, (n, 3) true displacements and (n, 2) shares of the units that each epoch sees."""
+    """Two epochs, (n, 3) true displacements, and (n, 3) shares of the units that each epoch sees and number of legs that both see."""
     cells, _, _ = surface_cells(UNIT)
+    leg_of = np.argmax(cells @ UNIT.leg_directions.T, axis=1)
     units: list[list[FittedUnit]] = [[], []]
     moves, shares = [], []
     for number in range(copies * len(real)):
@@ -99,13 +104,15 @@ def survey(real: list[Crop], copies: int, rng: np.random.Generator) -> tuple[lis
             move *= MOVE / np.linalg.norm(move)
         moves.append(move)
         half = rng.random(len(crop.body)) < 0.5
-        share = []
+        share, legs = [], np.ones(4, dtype=bool)
         for epoch, mine in enumerate((half, ~half)):
             body = crop.body[mine]
             body = body[:: max(1, len(body) // MOST_POINTS)]
             body = body[visible(body @ pose.rotation.T, drawn_eyes(rng))]
             nearest = np.argmin(np.linalg.norm(body[:, None, :] - cells[None], axis=2), axis=1) if len(body) else np.zeros(0, dtype=int)
-            share.append(len(np.unique(nearest)) / len(cells))
+            seen = np.unique(nearest)
+            share.append(len(seen) / len(cells))
+            legs &= np.bincount(leg_of[seen], minlength=4) >= SEEN * np.bincount(leg_of)
             points = pose.to_frame(body) + epoch * move
             start = Pose(pose.centre + epoch * move + rng.normal(0, 0.01, 3), pose.rotation)
             ids = np.zeros(len(points), dtype=np.uint16)
@@ -120,7 +127,7 @@ def survey(real: list[Crop], copies: int, rng: np.random.Generator) -> tuple[lis
                     score=1.0,
                 )
             )
-        shares.append(share)
+        shares.append([*share, legs.sum()])
     epochs = [
         TrackedEpoch(label=str(k), time=datetime(2020 + k, 1, 1, tzinfo=UTC), units=tuple(own), registration=None)
         for k, own in enumerate(units)
@@ -129,7 +136,8 @@ def survey(real: list[Crop], copies: int, rng: np.random.Generator) -> tuple[lis
 
 
 def judged(epochs: list[TrackedEpoch], moves: np.ndarray, shares: np.ndarray) -> list[tuple[float, ...]]:
-    """By unit: whether it moved, error in mm, squared normalised error, share of coordinates inside, flagged, least share seen."""
+    """By unit: whether it moved, error in mm, squared normalised error, share of coordinates inside, flagged, least share seen, turn found
+    in degrees (there is none), number of legs seen."""
     result = track(epochs, [UNIT])
     centres = np.array([u.pose.centre for u in epochs[0].units])
     rows = []
@@ -137,11 +145,11 @@ def judged(epochs: list[TrackedEpoch], moves: np.ndarray, shares: np.ndarray) ->
         found = motion.motions["stable"]
         number = int(np.argmin(np.linalg.norm(centres - found.starts[0], axis=1)))
         error, sd = found.vectors[0] - moves[number], np.sqrt(np.diag(found.covariances[0]))
-        moved, least = bool(moves[number].any()), float(shares[number].min())
+        moved, least = bool(moves[number].any()), float(shares[number, :2].min())
         inside = float(np.mean(np.abs(error) < 1.96 * sd))
-        rows.append(
-            (moved, 1000 * float(np.linalg.norm(error)), float(np.mean((error / sd) ** 2)), inside, found.p_values[0] < 0.05, least)
-        )
+        form = float(np.mean((error / sd) ** 2))
+        turn = math.degrees(found.turn), float(shares[number, 2])
+        rows.append((moved, 1000 * float(np.linalg.norm(error)), form, inside, found.p_values[0] < 0.05, least, *turn))
     return rows
 
 
@@ -160,7 +168,9 @@ def line(name: str, rows: list[tuple[float, ...]]) -> str:
         if not moved:
             parts.append(f"{own[:, 4].mean():.3f}")
     seen = table[(table[:, 0] == 1) & (table[:, 5] >= SEEN)]
-    return "| " + " | ".join([*parts, f"{int(seen[:, 4].sum())}/{len(seen)}"]) + " |"
+    turns = table[table[:, 7] >= 3, 6]
+    told = f"{np.median(turns):.2f}, {turns.max():.2f} ({np.mean(turns <= LARGEST_TURN):.3f})" if len(turns) else ""
+    return "| " + " | ".join([*parts, f"{int(seen[:, 4].sum())}/{len(seen)}", told]) + " |"
 
 
 def main() -> None:
@@ -171,7 +181,7 @@ def main() -> None:
     arguments = parser.parse_args()
     real = crops(arguments.folder)
     columns = ("seed", "resting", "median, p90 mm", "squared error", "inside 95 %", "false alarms")
-    columns += ("moved", "median, p90 mm", "squared error", "inside 95 %", "flagged")
+    columns += ("moved", "median, p90 mm", "squared error", "inside 95 %", "flagged", "turn found where three legs are seen")
     print("| " + " | ".join(columns) + " |\n|" + " --- |" * len(columns))
     everything: list[tuple[float, ...]] = []
     for seed in range(arguments.seeds):
