@@ -5,7 +5,8 @@
 
 Prints the weights to put into ``core/segmentation/pose_score.py`` and, for both sets, how often poses of a stated score are right. Units
 with less than 5 % of their surface seen, and poses whose twist no leg determines, count neither way. Sparse and noisy clouds have weights
-of their own, fitted to thinned and noised copies (``poor_copies.py``) of surveys and of rock.
+of their own, fitted to thinned and noised copies (``poor_copies.py``) of surveys and of rock. With ``--among`` the sure units around
+a pose, sure by the weights fitted first, are a feature too: those are the weights of noisy clouds.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from __future__ import annotations
 import argparse
 import csv
 import tomllib
+from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 
@@ -21,32 +23,52 @@ import numpy as np
 from scipy.optimize import minimize
 from scipy.spatial.transform import Rotation
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.pose_score import score_features
+from tetratrack.core.segmentation.pose_score import SURE_ALONE, among_feature, score_features
 from tetratrack.core.segmentation.segment import judge_poses
 
 RIGHT_CENTRE, RIGHT_ANGLE = 0.2, np.radians(15)
 """A pose is right within this share of the height and this angle, of the nearest truth; registration errors are far below both."""
 
 
-def survey_rows(folder: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Features (n, 6), whether each pose is right (n,), and certainty of its twist (n,), over all epochs of a survey."""
+@dataclass(frozen=True)
+class EpochRows:
+    """Poses of one epoch: features (n, 6), whether right (n,), certainty of the twist (n,), centres (n, 3) and the unit."""
+
+    features: np.ndarray
+    right: np.ndarray
+    certainty: np.ndarray
+    centres: np.ndarray
+    unit: UnitType
+
+    def with_company(self, model: np.ndarray) -> np.ndarray:
+        """(n, 7) features and the one of sure units around, by (7,) weights of the features alone."""
+        sure = probability(model, self.features) >= SURE_ALONE
+        return np.column_stack([self.features, among_feature(self.centres, sure, self.unit)])
+
+
+def survey_rows(folder: Path) -> list[EpochRows]:
+    """All epochs of a survey; poses of units that are hardly seen are left out."""
     settings = tomllib.loads((folder / "survey.toml").read_text())
     unit = UnitType.tetrapod(**{k: v for k, v in settings["unit"].items() if k in ("height", "radius", "gradient", "leg_length")})
-    features, right, certainty = [], [], []
+    epochs = []
     for epoch in settings["epoch"]:
         cloud = np.vstack([laspy.read(tile).xyz for tile in sorted(folder.glob(epoch["tiles"]))])
         origin = np.floor(cloud.mean(axis=0))
         judged = judge_poses(cloud - origin, unit)
         truth = _truth(folder, str(epoch["label"]))
         taken: set[int] = set()
-        order = np.argsort(-judged.evidence.support)
-        for k in order:
-            verdict = _verdict(judged.poses[k], origin, truth, unit, taken)
-            if verdict is not None:
-                features.append(score_features(judged.evidence[k], judged.tolerance, judged.typical)[0])
-                right.append(verdict)
-                certainty.append(judged.certainty[k])
-    return np.array(features).reshape(-1, 6), np.array(right, dtype=bool), np.array(certainty)
+        verdicts = {int(k): _verdict(judged.poses[k], origin, truth, unit, taken) for k in np.argsort(-judged.evidence.support)}
+        kept = np.array([k for k, verdict in verdicts.items() if verdict is not None], dtype=np.int64)
+        epochs.append(
+            EpochRows(
+                score_features(judged.evidence[kept], judged.tolerance, judged.typical),
+                np.array([bool(verdicts[int(k)]) for k in kept], dtype=bool),
+                judged.certainty[kept],
+                judged.poses[kept, :3],
+                unit,
+            )
+        )
+    return epochs
 
 
 def _truth(folder: Path, label: str) -> list[tuple[np.ndarray, np.ndarray, float]]:
@@ -82,7 +104,7 @@ def _verdict(pose: np.ndarray, origin: np.ndarray, truth: list, unit: UnitType, 
 
 
 def fit(features: np.ndarray, right: np.ndarray, *, wrong_weight: float = 2.0) -> np.ndarray:
-    """(7,) intercept and weights of the logistic model with unit ridge; a wrong unit taken for right weighs twice."""
+    """(k + 1,) intercept and weights of the logistic model with unit ridge; a wrong unit taken for right weighs twice."""
     middle, spread = features.mean(axis=0), features.std(axis=0)
     x = np.column_stack([np.ones(len(features)), (features - middle) / spread])
     sign = np.where(right, 1.0, -1.0)
@@ -93,9 +115,13 @@ def fit(features: np.ndarray, right: np.ndarray, *, wrong_weight: float = 2.0) -
     return np.concatenate([[scaled[0] - weights @ middle], weights])
 
 
-def report(name: str, model: np.ndarray, features: np.ndarray, right: np.ndarray) -> None:
-    """Print how many poses of each range of scores are right."""
-    score = 1 / (1 + np.exp(-(model[0] + features @ model[1:])))
+def probability(model: np.ndarray, features: np.ndarray) -> np.ndarray:
+    """(n,) of (n, k) features by (k + 1,) intercept and weights."""
+    return np.asarray(1 / (1 + np.exp(-(model[0] + features @ model[1:]))))
+
+
+def report(name: str, score: np.ndarray, right: np.ndarray) -> None:
+    """Print how many poses of each range of (n,) scores are right."""
     print(f"{name}: {len(score)} poses, {int(right.sum())} right")
     edges = (0.0, 0.05, 0.2, 0.5, 0.65, 0.8, 0.95, 1.0001)
     for low, high in pairwise(edges):
@@ -106,10 +132,10 @@ def report(name: str, model: np.ndarray, features: np.ndarray, right: np.ndarray
     print(f"  score >= 0.5: {int(right[stated].sum())} of {int(stated.sum())} right")
 
 
-def gathered(folders: list[Path]) -> tuple[np.ndarray, np.ndarray]:
-    """Features and verdicts of several surveys, poses of undetermined twist left out."""
-    parts = [survey_rows(folder) for folder in folders]
-    features, right, certainty = (np.concatenate([p[i] for p in parts]) for i in range(3))
+def gathered(epochs: list[EpochRows], alone: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """Features, with weights ``alone`` the one of sure units around too, and verdicts; poses of undetermined twist left out."""
+    features = np.concatenate([e.features if alone is None else e.with_company(alone) for e in epochs])
+    right, certainty = (np.concatenate([getattr(e, name) for e in epochs]) for name in ("right", "certainty"))
     return features[certainty > 0.6], right[certainty > 0.6]
 
 
@@ -118,13 +144,18 @@ def main() -> None:
     parser.add_argument("--fit", nargs="+", type=Path, required=True, metavar="SURVEY", help="folders to fit the weights to")
     parser.add_argument("--wrong", type=float, default=2.0, metavar="WEIGHT", help="of a wrong pose against a right one; 1 in poor clouds")
     parser.add_argument("--check", nargs="*", type=Path, default=[], metavar="SURVEY", help="folders to check them on")
+    parser.add_argument("--among", action="store_true", help="fit weights with the sure units around a pose as well")
     arguments = parser.parse_args()
-    features, right = gathered(arguments.fit)
-    model = fit(features, right, wrong_weight=arguments.wrong)
-    print("SCORE_WEIGHTS =", tuple(round(float(w), 2) for w in model[1:]), " SCORE_INTERCEPT =", round(float(model[0]), 2))
-    report("fitted", model, features, right)
-    if arguments.check:
-        report("checked", model, *gathered(arguments.check))
+    fitted, checked = ([e for folder in some for e in survey_rows(folder)] for some in (arguments.fit, arguments.check))
+    alone = fit(*gathered(fitted), wrong_weight=arguments.wrong)
+    models = [(alone, None), (fit(*gathered(fitted, alone), wrong_weight=arguments.wrong), alone)] if arguments.among else [(alone, None)]
+    for model, first in models:
+        name = "alone" if first is None else "among"
+        print(name, "intercept", round(float(model[0]), 2), "weights", tuple(round(float(w), 2) for w in model[1:]))
+        for label, epochs in (("fitted", fitted), ("checked", checked)):
+            if epochs:
+                features, right = gathered(epochs, first)
+                report(label, probability(model, features), right)
 
 
 if __name__ == "__main__":

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from scipy.spatial import cKDTree
 
-from ..common.arrays import FloatArray
+from ..common.arrays import BoolArray, FloatArray
+from ..model.unit_types import UnitType
 from .pose_evidence import QUIET_RATIO
 from .scene import Evidence, Scene
 
@@ -22,18 +24,39 @@ SPARSE_RATIO = 0.014
 """Spacing of points, as a share of the height, above which a cloud is sparse: small parts of legs show as legs no longer, normals blur."""
 
 
-class ScoreModel(NamedTuple):
-    """Logistic model of the score: weights of :func:`score_features`, and whether what no unit shows speaks against a pose beyond them."""
+SURE_ALONE = 0.9
+"""Score by its own elements from which a pose needs no units around it, and is one of those around others."""
+AMONG_HEIGHTS = 1.6
+"""Distance of centres, in heights, up to which units stand beside each other: 5 to 10 of a pile are that near to one of it."""
+
+
+class Weights(NamedTuple):
+    """Of a logistic model: intercept, and what each feature is multiplied by."""
 
     intercept: float
-    weights: tuple[float, ...]
+    features: tuple[float, ...]
+
+
+class ScoreModel(NamedTuple):
+    """Models of the score: of :func:`score_features` alone, and of these and the number of sure units around where that is asked too.
+
+    ``doubts`` says whether what no unit shows speaks against a pose beyond its features.
+    """
+
+    alone: Weights
+    among: Weights | None
     doubts: bool
 
 
-RICH = ScoreModel(-4.48, (1.08, 1.67, -1.22, -1.62, -1.71, -1.41), True)
-SPARSE = ScoreModel(5.16, (0.60, 0.06, -3.11, 0.85, -19.6, 0.12), False)
-NOISY = ScoreModel(0.73, (0.06, 0.99, -2.36, -0.30, -25.7, 2.24), False)
-"""In sparse clouds normals say little, and how closely the elements lie to the surface nearly all; in noisy ones both, and the extent."""
+RICH = ScoreModel(Weights(-4.48, (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)), None, True)
+SPARSE = ScoreModel(Weights(5.16, (0.60, 0.06, -3.11, 0.85, -19.6, 0.12)), None, False)
+NOISY = ScoreModel(Weights(0.73, (0.06, 0.99, -2.36, -0.30, -25.7, 2.24)), None, False)
+SMOOTHED = ScoreModel(
+    Weights(-3.63, (0.74, 0.68, -4.37, 5.20, -21.5, -0.44)), Weights(-10.11, (0.68, 0.55, -3.73, -3.09, -1.28, 0.23, 3.88)), False
+)
+"""In sparse clouds normals say little, and how closely the elements lie to the surface nearly all; in noisy ones of too few points to take
+the noise off both, and the extent; where it was taken off, rock smoothed alike fits a part of a unit about as well, but hardly ever where
+units stand around."""
 
 
 @dataclass(frozen=True)
@@ -60,10 +83,12 @@ class TypicalUnit:
 
 def is_sparse(scene: Scene) -> bool:
     """Whether the number of points, and not their noise, limits what can be seen."""
-    return scene.spacing > SPARSE_RATIO * scene.unit.height and scene.tolerance <= QUIET_RATIO * scene.unit.height
+    return not scene.smoothed and scene.spacing > SPARSE_RATIO * scene.unit.height and scene.tolerance <= QUIET_RATIO * scene.unit.height
 
 
 def _model_for(scene: Scene) -> ScoreModel:
+    if scene.smoothed:
+        return SMOOTHED
     if is_sparse(scene):
         return SPARSE
     return NOISY if scene.tolerance > NOISY_RATIO * scene.unit.height else RICH
@@ -90,9 +115,32 @@ def score(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray
     The weights were fitted to simulated piles, rock and laboratory scenes (``benchmarks/accuracy/score_calibration.py``), never to a real
     survey. What no unit of those shows speaks against a pose beyond that.
     """
-    model = typical.model
-    log_odds = model.intercept + np.array([np.dot(model.weights, row) for row in score_features(found, tolerance, typical)])
-    if model.doubts:
+    return _probability(typical.model.alone, score_features(found, tolerance, typical), found, tolerance, typical)
+
+
+def score_among(found: Evidence, centres: FloatArray, tolerance: float, typical: TypicalUnit, unit: UnitType) -> FloatArray:
+    """(k,) as :func:`score`, from the number of sure units around (k, 3) centres as well where the model asks for it.
+
+    Units lie among units. In noisy clouds a fifth of one and a rock look alike, and the place tells them apart.
+    """
+    alone = score(found, tolerance, typical)
+    if typical.model.among is None or not len(found):
+        return alone
+    sure = alone >= SURE_ALONE
+    features = np.column_stack([score_features(found, tolerance, typical), among_feature(centres, sure, unit)])
+    among = _probability(typical.model.among, features, found, tolerance, typical)
+    return np.where(sure, np.maximum(alone, among), among)
+
+
+def among_feature(centres: FloatArray, sure: BoolArray, unit: UnitType) -> FloatArray:
+    """(k,) logarithm of one more than the ``sure`` (k,) poses around (k, 3) centres, themselves left out."""
+    near = cKDTree(centres).query_ball_point(centres, AMONG_HEIGHTS * unit.height) if len(centres) else []
+    return np.log1p([np.count_nonzero(sure[own]) - int(sure[k]) for k, own in enumerate(near)])
+
+
+def _probability(weights: Weights, features: FloatArray, found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    log_odds = weights.intercept + np.array([np.dot(weights.features, row) for row in features])
+    if typical.model.doubts:
         log_odds = log_odds - _unlikeness(found, tolerance, typical)
     return np.where(found.close < 1, 0.0, 1 / (1 + np.exp(-log_odds)))
 

@@ -40,6 +40,8 @@ class Scene:
         Radius of the neighbourhoods of the normals, metres: near a crease they are of both legs.
     spacing
         Median distance of a raw point to its nearest neighbour, metres.
+    smoothed
+        Whether noise was taken off the points (:mod:`.smoothed_surface`).
     """
 
     points: FloatArray
@@ -51,6 +53,7 @@ class Scene:
     noise: float
     normal_radius: float = 0.0
     spacing: float = 0.0
+    smoothed: bool = False
 
     @classmethod
     def of(cls, elements: SurfaceElements, unit: UnitType, tolerance: float) -> Scene:
@@ -65,6 +68,7 @@ class Scene:
             noise=elements.noise,
             normal_radius=elements.normal_radius,
             spacing=elements.spacing,
+            smoothed=elements.smoothed,
         )
 
 

@@ -15,8 +15,9 @@ from .assembly import poses_from_pairs, poses_from_single_legs
 from .conic_ransac import find_legs
 from .pose_evidence import NUMBER_OF_CELLS, evidence
 from .pose_refinement import refine
-from .pose_score import TypicalUnit, is_sparse, score, typical_unit
+from .pose_score import TypicalUnit, is_sparse, score, score_among, typical_unit
 from .scene import COLUMNS, Evidence, Scene
+from .smoothed_surface import NOISY_RATIO, smoothed
 from .surface_elements import SurfaceElements, surface_elements
 from .twist import settle_twists
 from .verification import distinct, overlap, select
@@ -158,11 +159,13 @@ def segment(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int =
 def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int = -1) -> JudgedPoses:
     """Every pose that :func:`segment` weighs, chance alignments included, with the evidence for it; arguments as there."""
     elements = surface_elements(points, unit.height, workers=workers)
+    if 2.5 * elements.element_noise > NOISY_RATIO * unit.height:
+        elements = smoothed(points, elements, unit.height)
     scene = Scene.of(elements, unit, max(2.5 * elements.element_noise, 0.008 * unit.height))
     scene, poses = _searched(scene, seed)
     poses, found, owner = _settled(elements, poses, scene, rounds=1)
     # chance alignments claim points of units: a last look without them
-    likely = score(found, scene.tolerance, typical_unit(found, scene))
+    likely = score_among(found, poses[:, :3], scene.tolerance, typical_unit(found, scene), unit)
     unlikely = likely < CHANCE_SCORE
     active = ~np.isin(owner, np.flatnonzero(~unlikely))
     candidates = _candidates(scene, active, seed + PASSES, twists=5)
@@ -175,7 +178,7 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     chosen = select(candidates, scene, active, poses[~unlikely])
     poses, found, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), scene, rounds=2)
     typical = typical_unit(found, scene)
-    sure = score(found, scene.tolerance, typical) >= FOUND_SCORE
+    sure = score_among(found, poses[:, :3], scene.tolerance, typical, unit) >= FOUND_SCORE
     poses, certainty = settle_twists(poses, found, sure, scene, owner)
     return JudgedPoses(elements=elements, poses=poses, evidence=found, certainty=certainty, tolerance=scene.tolerance, typical=typical)
 
@@ -226,7 +229,7 @@ def _settled(elements: SurfaceElements, poses: FloatArray, scene: Scene, *, roun
 def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmentation:
     """State which poses are units, and hand the raw points out."""
     poses, seen, tolerance, elements = judged.poses, judged.evidence, judged.tolerance, judged.elements
-    found = score(seen, tolerance, judged.typical)
+    found = score_among(seen, poses[:, :3], tolerance, judged.typical, unit)
     scores = judged.certainty * found
     shared = np.zeros(len(poses))
     for k in range(len(poses)):

@@ -61,6 +61,8 @@ class SurfaceElements:
         The same for a thinned point.
     normal_radius
         Radius of the neighbourhoods of most normals, metres.
+    smoothed
+        Whether the points were moved onto the surface that the points around share (:mod:`.smoothed_surface`).
     """
 
     points: FloatArray
@@ -71,6 +73,7 @@ class SurfaceElements:
     noise: float
     element_noise: float
     normal_radius: float
+    smoothed: bool = False
 
 
 def surface_elements(points: FloatArray, height: float, *, workers: int = -1) -> SurfaceElements:
@@ -93,16 +96,20 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     area = max(fewest**2 * np.pi / 6, (0.5 * THINNING_RATIO * height) ** 2)
     wanted = np.sqrt(2 * element_noise * np.sqrt(area / np.pi) / 0.05)
     radius = float(np.clip(wanted, LEAST_RADIUS_RATIO * height, BEND_RADIUS_RATIO * height))
-    normals, bend, bend_sd = _bends(thinned, radius, height)
+    normals, curved = senses(*_bends(thinned, radius, height), height)
+    noise = surface_noise(points, height, tree=raw, workers=workers)
+    return SurfaceElements(thinned, normals, curved, source, spacing, noise, element_noise, max(radius, fewest))
+
+
+def senses(normals: FloatArray, bend: FloatArray, bend_sd: FloatArray, height: float) -> tuple[FloatArray, NDArray[np.int8]]:
+    """Normals (m, 3) turned outwards and ``curved`` (m,), from the bend of the surface and its standard deviation (m,), 1/metres."""
     # on a leg the surface falls away by d^2 / (4 rho) on average over directions, rho about 0.2 H: a third of that, if it also
     # stands out of its own standard error, is taken as a sign
     expected = 1 / (4 * 0.2 * height)
-    curved = np.zeros(len(thinned), dtype=np.int8)
+    curved = np.zeros(len(normals), dtype=np.int8)
     curved[(np.abs(bend) > expected / 3) & (np.abs(bend) > 2 * bend_sd)] = 1
     curved[np.abs(bend) + 2 * bend_sd < expected / 3] = -1
-    normals = np.where(bend[:, None] > 0, -normals, normals)
-    noise = surface_noise(points, height, tree=raw, workers=workers)
-    return SurfaceElements(thinned, normals, curved, source, spacing, noise, element_noise, max(radius, fewest))
+    return np.where(bend[:, None] > 0, -normals, normals), curved
 
 
 def element_normals(points: FloatArray, height: float) -> FloatArray:

@@ -11,7 +11,7 @@ from tetratrack.core.model.pose import Pose, rotation_angle
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.segmentation.pose_refinement import refine
-from tetratrack.core.segmentation.pose_score import NOISY, RICH, SPARSE, typical_unit
+from tetratrack.core.segmentation.pose_score import NOISY, RICH, SMOOTHED, SPARSE, typical_unit
 from tetratrack.core.segmentation.scene import Evidence, Scene
 from tetratrack.core.segmentation.surface_elements import surface_elements
 from tetratrack.core.segmentation.whole_unit_search import SURROUNDINGS, poses_about_elements
@@ -63,3 +63,4 @@ def test_the_score_is_that_of_the_cloud() -> None:
     assert typical_unit(none, replace(scene, spacing=0.01 * UNIT.height)).model is RICH
     assert typical_unit(none, replace(scene, tolerance=0.06 * UNIT.height)).model is NOISY
     assert typical_unit(none, replace(scene, spacing=0.01 * UNIT.height, tolerance=0.06 * UNIT.height)).model is NOISY
+    assert typical_unit(none, replace(scene, smoothed=True)).model is SMOOTHED
