@@ -6,7 +6,8 @@
 Prints the weights to put into ``core/segmentation/pose_score.py`` and, for both sets, how often poses of a stated score are right. Units
 with less than 5 % of their surface seen, and poses whose twist no leg determines, count neither way. Sparse and noisy clouds have weights
 of their own, fitted to thinned and noised copies (``poor_copies.py``) of surveys and of rock. With ``--among`` the sure units around
-a pose, sure by the weights fitted first, are a feature too: those are the weights of noisy clouds.
+a pose, sure by the weights fitted first, are a feature too, and the misfit typical of the cloud is none: those are the weights of clouds
+whose noise was taken off.
 """
 
 from __future__ import annotations
@@ -28,6 +29,10 @@ from tetratrack.core.segmentation.segment import judge_poses
 
 RIGHT_CENTRE, RIGHT_ANGLE = 0.2, np.radians(15)
 """A pose is right within this share of the height and this angle, of the nearest truth; registration errors are far below both."""
+
+
+TYPICAL_MISFIT = 3
+"""Column of the misfit against what is typical of the cloud."""
 
 
 @dataclass(frozen=True)
@@ -106,6 +111,7 @@ def _verdict(pose: np.ndarray, origin: np.ndarray, truth: list, unit: UnitType, 
 def fit(features: np.ndarray, right: np.ndarray, *, wrong_weight: float = 2.0) -> np.ndarray:
     """(k + 1,) intercept and weights of the logistic model with unit ridge; a wrong unit taken for right weighs twice."""
     middle, spread = features.mean(axis=0), features.std(axis=0)
+    spread = np.where(spread > 0, spread, np.inf)
     x = np.column_stack([np.ones(len(features)), (features - middle) / spread])
     sign = np.where(right, 1.0, -1.0)
     weight = np.where(right, 1.0, wrong_weight)
@@ -147,6 +153,9 @@ def main() -> None:
     parser.add_argument("--among", action="store_true", help="fit weights with the sure units around a pose as well")
     arguments = parser.parse_args()
     fitted, checked = ([e for folder in some for e in survey_rows(folder)] for some in (arguments.fit, arguments.check))
+    if arguments.among:
+        for epoch in fitted + checked:
+            epoch.features[:, TYPICAL_MISFIT] = 0
     alone = fit(*gathered(fitted), wrong_weight=arguments.wrong)
     models = [(alone, None), (fit(*gathered(fitted, alone), wrong_weight=arguments.wrong), alone)] if arguments.among else [(alone, None)]
     for model, first in models:

@@ -52,11 +52,11 @@ RICH = ScoreModel(Weights(-4.48, (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)), None
 SPARSE = ScoreModel(Weights(5.16, (0.60, 0.06, -3.11, 0.85, -19.6, 0.12)), None, False)
 NOISY = ScoreModel(Weights(0.73, (0.06, 0.99, -2.36, -0.30, -25.7, 2.24)), None, False)
 SMOOTHED = ScoreModel(
-    Weights(-3.63, (0.74, 0.68, -4.37, 5.20, -21.5, -0.44)), Weights(-10.11, (0.68, 0.55, -3.73, -3.09, -1.28, 0.23, 3.88)), False
+    Weights(-3.79, (0.68, 0.82, -4.39, 0.0, -7.79, -0.37)), Weights(-10.37, (0.64, 0.59, -3.51, 0.0, -9.66, 0.33, 3.86)), False
 )
 """In sparse clouds normals say little, and how closely the elements lie to the surface nearly all; in noisy ones of too few points to take
 the noise off both, and the extent; where it was taken off, rock smoothed alike fits a part of a unit about as well, but hardly ever where
-units stand around."""
+units stand around. There what is typical of the cloud is left out, as a table that fits badly is where few units stand on one."""
 
 
 @dataclass(frozen=True)
