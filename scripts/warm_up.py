@@ -24,6 +24,9 @@ from ..core.model.tetrapod import sample_surface
 from ..core.model.unit_types import UnitType
 from ..core.pipeline.run_options import RunOptions
 from ..core.pipeline.whole_survey import run_survey
+from ..core.segmentation.conic_ransac import find_legs
+from ..core.segmentation.scene import Scene
+from ..core.segmentation.surface_elements import surface_elements
 from ..core.simulation.survey_plan import plan_of
 from ..core.simulation.virtual_survey import simulate_survey
 
@@ -37,10 +40,10 @@ NOISE = 0.01
 def warm_up(feedback: Feedback) -> float:
     """Compile what runs need and keep it, in two processes; seconds that took.
 
-    The adjustment compiles aside, while the survey is simulated and its units are searched.
+    The search for legs compiles aside while the survey is simulated, and the adjustment while its units are searched.
     """
     began = time.monotonic()
-    aside = multiprocessing.get_context("spawn").Process(target=adjust_a_unit, daemon=True)
+    aside = multiprocessing.get_context("spawn").Process(target=fit_a_unit, daemon=True)
     aside.start()
     try:
         with tempfile.TemporaryDirectory() as folder:
@@ -54,13 +57,15 @@ def warm_up(feedback: Feedback) -> float:
     return time.monotonic() - began
 
 
-def adjust_a_unit() -> None:
-    """Adjust a unit made up, to points that are equally good, and to points with covariances of their own."""
+def fit_a_unit() -> None:
+    """Find the legs of a unit made up, and adjust it to points that are equally good, and to points with covariances of their own."""
     rng = np.random.default_rng(1)
     unit = UnitType.tetrapod(2.3)
     points, _, _ = sample_surface(unit, POINTS, rng)
     points = points + rng.normal(0.0, NOISE, points.shape)
     start = Pose(np.full(3, 0.02), np.eye(3))
+    scene = Scene.of(surface_elements(points, unit.height, workers=1), unit, 2.5 * NOISE)
+    find_legs(scene, np.ones(len(scene.points), dtype=np.bool_), 0)
     thin_a_cloud(points)
     for covariances in (None, np.tile(NOISE**2 * np.eye(3), (POINTS, 1, 1))):
         adjust(points, unit, start, options=AdjustmentOptions(radius_sd=0.01, gradient_sd=0.01), covariances=covariances)

@@ -15,6 +15,9 @@ from ..model.unit_types import Opening, UnitType
 INLINED = COMPILED | {"inline": "always"}
 """Of the innermost functions: passing a dozen arrays costs as much as the work itself (measured: a third of a linearisation)."""
 
+CONTESTED = COMPILED | {"forceinline": True, "_nrt": False}
+"""Of those for points that several parts may own: inlined by LLVM, once they are compiled, since numba takes longer over the copies."""
+
 BLOCK = 128
 """Points that are linearised together; what is known of them then stays in the nearest cache."""
 

@@ -6,12 +6,12 @@ import math
 
 from numba import njit
 
-from .condition_records import CLEAR, INLINED, PSI_SQUARES, SCORE, SINGLE, SINGLES, SLOPES, SQUARES, WEIGHT, WEIGHTS, X, Y, Z
+from .condition_records import CLEAR, CONTESTED, PSI_SQUARES, SCORE, SINGLE, SINGLES, SLOPES, SQUARES, WEIGHT, WEIGHTS, X, Y, Z
 from .normal_sums import add_disc, add_outer, add_products_of_scores
 from .residual_weights import IMPOSSIBLE, NO_WEIGHT, SCALE_NARROWING, inside_probability, ramp, robust_weight
 
 
-@njit(**INLINED)
+@njit(**CONTESTED)
 def to_body(px, py, pz, centre, rotation):  # type: ignore[no-untyped-def]
     """Coordinates of a point in the frame of the body."""
     dx, dy, dz = px - centre[0], py - centre[1], pz - centre[2]
@@ -21,7 +21,7 @@ def to_body(px, py, pz, centre, rotation):  # type: ignore[no-untyped-def]
     return x, y, z
 
 
-@njit(**INLINED)
+@njit(**CONTESTED)
 def blurred_points(points, first, count, solid, block):  # type: ignore[no-untyped-def]
     """Read ``count`` points with covariances of their own: none is clear beyond doubt, an inclined noise ellipsoid needs the slower way."""
     block[CLEAR, :count] = 0.0
@@ -33,7 +33,7 @@ def blurred_points(points, first, count, solid, block):  # type: ignore[no-untyp
         block[X, i], block[Y, i], block[Z, i] = to_body(points[0, j], points[1, j], points[2, j], solid.centre, solid.rotation)
 
 
-@njit(**INLINED)
+@njit(**CONTESTED)
 def turned_covariance(cov, j, rotation, body_cov):  # type: ignore[no-untyped-def]
     """Covariance of a point into the axes of the body."""
     for a in range(3):
@@ -45,7 +45,7 @@ def turned_covariance(cov, j, rotation, body_cov):  # type: ignore[no-untyped-de
             body_cov[a, b] = total
 
 
-@njit(**INLINED)
+@njit(**CONTESTED)
 def foot(place, leg, disc, solid, cone, noise, near, found):  # type: ignore[no-untyped-def]
     """Adjusted observation of one point (body frame) on the lateral surface or end disc of one leg.
 
@@ -125,7 +125,7 @@ def foot(place, leg, disc, solid, cone, noise, near, found):  # type: ignore[no-
     found[j, 8], found[j, 9], found[j, 10] = fx, fy, fz
 
 
-@njit(**INLINED)
+@njit(**CONTESTED)
 def candidates(place, known, solid, cone, noise, edge, work):  # type: ignore[no-untyped-def]
     """Parts (0..3 lateral, 4..7 end discs) that may own a point into ``work.which``, the logarithm of its density under each into
     ``work.density``.
@@ -204,7 +204,7 @@ def candidates(place, known, solid, cone, noise, edge, work):  # type: ignore[no
     return count, best
 
 
-@njit(**INLINED)
+@njit(**CONTESTED)
 def _gate(task, k, known):  # type: ignore[no-untyped-def]
     """How far a part may be used where a point's foot lies: edges are judged at the foot, which says nothing about the residual."""
     found, discs, edge, leg = task.work.found, task.solid.discs, task.weighting.edge, k % 4
@@ -219,7 +219,7 @@ def _gate(task, k, known):  # type: ignore[no-untyped-def]
     return gate
 
 
-@njit(**INLINED)
+@njit(**CONTESTED)
 def _derivatives(place, k, found, cosine, per_noise, row):  # type: ignore[no-untyped-def]
     """Row of the standardised condition of a point on one part."""
     x, y, z = place
@@ -232,7 +232,7 @@ def _derivatives(place, k, found, cosine, per_noise, row):  # type: ignore[no-un
         row[k + 4] = -per_noise
 
 
-@njit(**INLINED)
+@njit(**CONTESTED)
 def contested_point(task, place, noise, j, known, columns):  # type: ignore[no-untyped-def]
     """Linearise one point that several parts may own, each with its share, into columns of the block; returns the next free column."""
     solid, weighting, states, work = task.solid, task.weighting, task.states, task.work
@@ -305,7 +305,7 @@ def contested_point(task, place, noise, j, known, columns):  # type: ignore[no-u
     return columns
 
 
-@njit(**INLINED)
+@njit(**CONTESTED)
 def _add_scores(equations, work, k, alone, weighted):  # type: ignore[no-untyped-def]
     """Add what the covariance needs of one part's share in a point."""
     u, w, share, robust, slope = weighted
