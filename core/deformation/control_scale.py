@@ -28,6 +28,8 @@ FEWEST_RESTING = 15
 LEAST_SIZE, MOST_SIZE = 0.2, 4.0
 LEAST_FACTOR, MOST_FACTOR = 0.5, 1.6
 """Bounds of the factors of the variance and of the statistic."""
+RAREST_DRAW = 0.001
+"""Share of coasts on which few bends may be larger than the bound of the variance: a bowl is two or three."""
 LARGEST_MISFIT = 16.0
 """Normalised square up to which one coordinate counts."""
 COMMON_LEVEL = 0.01
@@ -78,8 +80,10 @@ def scale_of_control(
     """
     if len(places) < FEWEST_RESTING:
         return ControlScale(size=1 + 2 / degrees, factor=1.0, degrees=degrees, bends=0.0)
-    size, factor = _size_and_factor(control.at(places), displacements, own, null)
-    return ControlScale(size=size, factor=factor, degrees=math.inf, bends=_independent_bends(control, places))
+    bends = _independent_bends(control, places)
+    most = max(MOST_SIZE, float(chdtri(bends, RAREST_DRAW)) / bends)
+    size, factor = _size_and_factor(control.at(places), displacements, own, null, most)
+    return ControlScale(size=size, factor=factor, degrees=math.inf, bends=bends)
 
 
 def with_rigid_scale(congruence: Congruence, displacements: FloatArray, covariances: FloatArray, points: FloatArray) -> Congruence:
@@ -113,8 +117,10 @@ def with_rigid_scale(congruence: Congruence, displacements: FloatArray, covarian
     )
 
 
-def _size_and_factor(known: LocalMotions, displacements: FloatArray, own: FloatArray, null: NullModel) -> tuple[float, float]:
-    """Factors of the variance of the frames and of the statistic, by (n, 3) displacements of units at rest."""
+def _size_and_factor(
+    known: LocalMotions, displacements: FloatArray, own: FloatArray, null: NullModel, most: float = MOST_SIZE
+) -> tuple[float, float]:
+    """Factors of the variance of the frames, up to ``most``, and of the statistic, by (n, 3) displacements of units at rest."""
     away, frame = displacements - known.means[:, :3], known.covariances[:, :3, :3]
     squares = away**2
     units, frames = (np.einsum("nii->ni", part) for part in (null.spread * own, frame))
@@ -124,10 +130,10 @@ def _size_and_factor(known: LocalMotions, displacements: FloatArray, own: FloatA
 
     if excess(LEAST_SIZE) <= 0:
         size = LEAST_SIZE
-    elif excess(MOST_SIZE) >= 0:
-        size = MOST_SIZE
+    elif excess(most) >= 0:
+        size = most
     else:
-        size = float(brentq(excess, LEAST_SIZE, MOST_SIZE))
+        size = float(brentq(excess, LEAST_SIZE, most))
     p_values = f_p_value(quadratic(away, own + size * frame), pooled_degrees(own, null.tail, size * frame, math.inf))
     factor = float(chdtri(3, np.quantile(p_values, LEVEL)) / chdtri(3, LEVEL))
     return size, min(max(factor, LEAST_FACTOR), MOST_FACTOR)
