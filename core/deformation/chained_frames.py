@@ -73,13 +73,10 @@ def _passed_on(known: FieldEstimate, datum: ElasticDatum | None, sign: float) ->
 
 
 def _size_of_positions(data: Sequence[ElasticDatum | None]) -> float:
-    """Factor of the variance of positions: what the epochs share is another draw than their differences, and the model has its say too.
-
-    A size that few bends tell leaves errors with the tails of t, whose variance is larger than its squared scale.
-    """
-    learned = [(datum.bends, datum.size) for datum in data if datum is not None and datum.bends > 0]
-    if not learned:
-        return 1.0
-    degrees = MODEL_BENDS + sum(bends for bends, _ in learned)
-    size = (MODEL_BENDS + sum(bends * own for bends, own in learned)) / degrees
-    return size * degrees / (degrees - 2)
+    """Factor of the variance of positions: what the epochs share is another draw than their differences, and the model has its say too."""
+    weights, sizes = [MODEL_BENDS], [1.0]
+    for datum in data:
+        if datum is not None and datum.bends > 0:
+            weights.append(datum.bends)
+            sizes.append(datum.size)
+    return float(np.average(sizes, weights=weights))

@@ -15,10 +15,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import brentq
+from scipy.sparse import csr_array
 from scipy.special import chdtri
 
 from ..common.arrays import FloatArray
 from ..registration.frame_field import FieldEstimate, LocalMotions
+from ..registration.transformation import rigid_jacobian
 from .congruence import Congruence, NullModel, f_p_value, pooled_degrees, quadratic
 
 LEVEL = 0.05
@@ -29,7 +31,8 @@ LEAST_SIZE, MOST_SIZE = 0.2, 4.0
 LEAST_FACTOR, MOST_FACTOR = 0.5, 1.6
 """Bounds of the factors of the variance and of the statistic."""
 RAREST_DRAW = 0.001
-"""Share of coasts on which few bends may be larger than the bound of the variance: a bowl is two or three."""
+"""Share of coasts on which so few bends are smaller, or larger, than the bounds of the variance, where those above are closer: a bowl is
+two or three, and so is the shift of a rigid frame."""
 LARGEST_MISFIT = 16.0
 """Normalised square up to which one coordinate counts."""
 COMMON_LEVEL = 0.01
@@ -80,9 +83,8 @@ def scale_of_control(
     """
     if len(places) < FEWEST_RESTING:
         return ControlScale(size=1 + 2 / degrees, factor=1.0, degrees=degrees, bends=0.0)
-    bends = _independent_bends(control, places)
-    most = max(MOST_SIZE, float(chdtri(bends, RAREST_DRAW)) / bends)
-    size, factor = _size_and_factor(control.at(places), displacements, own, null, most)
+    bends = _independent_bends(control.basis.design(_some(places)), control.covariance)
+    size, factor = _size_and_factor(control.at(places), displacements, own, null, bends)
     return ControlScale(size=size, factor=factor, degrees=math.inf, bends=bends)
 
 
@@ -104,7 +106,9 @@ def with_rigid_scale(congruence: Congruence, displacements: FloatArray, covarian
         return congruence
     null = congruence.null
     effective = null.covariance(covariances)
-    size, factor = _size_and_factor(congruence.rigid_motions(points[resting], "control"), displacements[resting], effective[resting], null)
+    known = congruence.rigid_motions(points[resting], "control")
+    bends = _independent_bends(rigid_jacobian(_some(points[resting]) - congruence.origin).reshape(-1, 7), congruence.prior)
+    size, factor = _size_and_factor(known, displacements[resting], effective[resting], null, bends)
     scaled = replace(congruence, prior=congruence.prior * size)
     frame = scaled.rigid_motions(points, "control").covariances[:, :3, :3]
     statistics = quadratic(displacements, effective + frame) / factor
@@ -117,10 +121,10 @@ def with_rigid_scale(congruence: Congruence, displacements: FloatArray, covarian
     )
 
 
-def _size_and_factor(
-    known: LocalMotions, displacements: FloatArray, own: FloatArray, null: NullModel, most: float = MOST_SIZE
-) -> tuple[float, float]:
-    """Factors of the variance of the frames, up to ``most``, and of the statistic, by (n, 3) displacements of units at rest."""
+def _size_and_factor(known: LocalMotions, displacements: FloatArray, own: FloatArray, null: NullModel, bends: float) -> tuple[float, float]:
+    """Factors of the variance of the frames, a draw of so many bends, and of the statistic, by (n, 3) displacements of units at rest."""
+    least = min(LEAST_SIZE, float(chdtri(bends, 1 - RAREST_DRAW)) / bends)
+    most = max(MOST_SIZE, float(chdtri(bends, RAREST_DRAW)) / bends)
     away, frame = displacements - known.means[:, :3], known.covariances[:, :3, :3]
     squares = away**2
     units, frames = (np.einsum("nii->ni", part) for part in (null.spread * own, frame))
@@ -128,21 +132,33 @@ def _size_and_factor(
     def excess(size: float) -> float:
         return float(np.mean(np.minimum(squares / (units + size * frames), LARGEST_MISFIT))) - 1.0
 
-    if excess(LEAST_SIZE) <= 0:
-        size = LEAST_SIZE
+    if excess(least) <= 0:
+        size = least
     elif excess(most) >= 0:
         size = most
     else:
-        size = float(brentq(excess, LEAST_SIZE, most))
+        size = float(brentq(excess, least, most))
     p_values = f_p_value(quadratic(away, own + size * frame), pooled_degrees(own, null.tail, size * frame, math.inf))
     factor = float(chdtri(3, np.quantile(p_values, LEVEL)) / chdtri(3, LEVEL))
     return size, min(max(factor, LEAST_FACTOR), MOST_FACTOR)
 
 
-def _independent_bends(field: FieldEstimate, places: FloatArray) -> float:
-    """Degrees of freedom of the sum of squares of a field's error at (n, 3) places (Satterthwaite, 1946, Biometrics Bulletin 2(6))."""
-    design = field.basis.design(places[:: max(1, -(-len(places) // MOST_PLACES))])
-    covariance = design @ (design @ field.covariance).T
+def _some(places: FloatArray) -> FloatArray:
+    """An even choice of (n, 3) places."""
+    return places[:: max(1, -(-len(places) // MOST_PLACES))]
+
+
+def _independent_bends(design: FloatArray | csr_array, unknowns: FloatArray) -> float:
+    """Degrees of freedom of the sum of squares of a frame's error (Satterthwaite, 1946, Biometrics Bulletin 2(6)).
+
+    Parameters
+    ----------
+    design
+        (3 k, u) rows of the shifts at k places.
+    unknowns
+        (u, u) covariance of what they depend on.
+    """
+    covariance = design @ (design @ unknowns).T
     deviations = np.sqrt(np.diag(covariance))
     correlation = covariance / np.outer(deviations, deviations)
     return float(len(deviations) ** 2 / np.sum(correlation**2))

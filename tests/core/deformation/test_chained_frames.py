@@ -105,7 +105,7 @@ def test_a_chain_of_three_epochs_is_one_adjustment() -> None:
 def test_positions_between_two_stations_are_as_far_off_as_stated() -> None:
     """A hundred metres hold few bends, so that single coasts scatter; no component is taken for stiff because its few were small."""
     squares, lengths, stated = [], [], []
-    for seed in range(20, 36):
+    for seed in range(20, 44):
         coast = bent_coast(seed, length=105.0, station=52.5, density=2.0)
         frames, datum = frames_and_datum(coast)
         chained = chained_errors(frames, [datum])
@@ -114,5 +114,5 @@ def test_positions_between_two_stations_are_as_far_off_as_stated() -> None:
         lengths += rmse
         stated += [np.trace(field.at(coast.places).covariances[:, :3, :3].mean(axis=0)) for field in chained if field is not None]
     assert 0.7 < np.mean(squares) < 1.4
-    assert max(squares) < 5.0
+    assert max(squares) < 6.0
     assert 0.8 < np.sqrt(np.mean(np.square(lengths)) / np.mean(stated)) < 1.2
