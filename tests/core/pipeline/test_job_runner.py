@@ -19,7 +19,7 @@ from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.pipeline.array_files import load_arrays, loaded_arrays, save_arrays
-from tetratrack.core.pipeline.block_jobs import FitJob, adjusted_nearby, load_libraries
+from tetratrack.core.pipeline.block_jobs import LEG_COLUMNS, FitJob, adjusted_nearby, load_libraries
 from tetratrack.core.pipeline.blocks import plan_blocks
 from tetratrack.core.pipeline.epoch_units import owners
 from tetratrack.core.pipeline.job_runner import JobRunner, job_key
@@ -226,7 +226,7 @@ def test_an_adjustment_that_leaves_the_unit_is_made_anew_with_its_end_disc():
 def _save_segmented(path: Path, pose: Pose, cloud: np.ndarray) -> None:
     """Result of the segmentation of one unit of which the sides of one leg are seen."""
     one = {name: np.ones(1) for name in ("score", "coverage", "misfit", "supported")}
-    one |= {"leg_states": np.full((1, 4), "unseen"), "leg_missing": np.zeros((1, 4)), "leg_broken": np.zeros((1, 4))}
+    one |= {name: np.zeros((1, 4)) for name in LEG_COLUMNS}
     whole = {"type": np.zeros(1, dtype=np.int64), "legs_visible": np.ones(1, dtype=np.int64), "status": np.array(["found"], dtype="U9")}
     save_arrays(
         path,
