@@ -1,9 +1,9 @@
 """Surface elements of noisy clouds, each moved onto the surface that the points around it share.
 
 Noise wider than the thinning leaves a shell of elements, of which hardly any lies where the surface is. Within a patch of a leg the surface
-is a quadric; fitted by weights that fall with the distance along the surface (moving least squares: Levin, 1998, The approximation power
-of moving least squares, Mathematics of Computation 67) and robustly against other surfaces (Tukey's biweight across it), it is known two to
-three times better than a point. Normal and bend come from it too, the bend with its standard deviation.
+is a quadric; fitted by weights that fall with the distance along the surface (moving least squares: Levin, 1998) and robustly against other
+surfaces (Tukey's biweight across it), it is known two to three times better than a point. Normal and bend come from it too, the bend with
+its standard deviation.
 """
 
 from __future__ import annotations
