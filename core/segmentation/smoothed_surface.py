@@ -67,7 +67,6 @@ def smoothed(points: FloatArray, elements: SurfaceElements, height: float) -> Su
         places,
         normals,
         curved,
-        elements.source,
         elements.spacing,
         elements.noise,
         LEFT_OVER * float(np.median(patches[:, 8])),

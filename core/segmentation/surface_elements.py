@@ -14,7 +14,7 @@ from numba import prange
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from ..common.arrays import FloatArray, IntArray
+from ..common.arrays import FloatArray
 from ..common.kernels import kernel
 from ..common.neighbourhood import build_grid, gather
 from ..common.voxels import thin
@@ -51,8 +51,6 @@ class SurfaceElements:
     curved
         (m,) int8: 1 where the surface bends as a leg does, which gives the sign of the normal; -1 where it is too flat for a leg; 0 where
         too few or too noisy neighbours leave it open.
-    source
-        (n,) for each raw point the element it was thinned into.
     spacing
         Median distance of a raw point to its nearest neighbour, metres.
     noise
@@ -68,7 +66,6 @@ class SurfaceElements:
     points: FloatArray
     normals: FloatArray
     curved: NDArray[np.int8]
-    source: IntArray
     spacing: float
     noise: float
     element_noise: float
@@ -82,7 +79,7 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     The neighbourhood for normals grows with the noise: it must be wide enough for a steady normal and narrow enough to stay
     on one leg, whose radius is about 0.2 H.
     """
-    thinned, source = thin(points, THINNING_RATIO * height)
+    thinned, _ = thin(points, THINNING_RATIO * height)
     rng = np.random.default_rng(0)
     raw = cKDTree(points)
     probe = points[np.sort(rng.choice(len(points), min(len(points), 4000), replace=False))]
@@ -98,7 +95,7 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     radius = float(np.clip(wanted, LEAST_RADIUS_RATIO * height, BEND_RADIUS_RATIO * height))
     normals, curved = senses(*_bends(thinned, radius, height), height)
     noise = surface_noise(points, height, tree=raw, workers=workers)
-    return SurfaceElements(thinned, normals, curved, source, spacing, noise, element_noise, max(radius, fewest))
+    return SurfaceElements(thinned, normals, curved, spacing, noise, element_noise, max(radius, fewest))
 
 
 def senses(normals: FloatArray, bend: FloatArray, bend_sd: FloatArray, height: float) -> tuple[FloatArray, NDArray[np.int8]]:
