@@ -26,6 +26,7 @@ from ..core.pipeline.run_options import RunOptions
 from ..core.pipeline.whole_survey import run_survey
 from ..core.segmentation.conic_ransac import find_legs
 from ..core.segmentation.scene import Scene
+from ..core.segmentation.smoothed_surface import smoothed
 from ..core.segmentation.surface_elements import surface_elements
 from ..core.simulation.survey_plan import plan_of
 from ..core.simulation.virtual_survey import simulate_survey
@@ -64,7 +65,10 @@ def fit_a_unit() -> None:
     points, _, _ = sample_surface(unit, POINTS, rng)
     points = points + rng.normal(0.0, NOISE, points.shape)
     start = Pose(np.full(3, 0.02), np.eye(3))
-    scene = Scene.of(surface_elements(points, unit.height, workers=1), unit, 2.5 * NOISE)
+    elements = surface_elements(points, unit.height, workers=1)
+    # the survey's noise is not so large that its elements are smoothed
+    smoothed(points, elements, unit.height)
+    scene = Scene.of(elements, unit, 2.5 * NOISE)
     find_legs(scene, np.ones(len(scene.points), dtype=np.bool_), 0)
     thin_a_cloud(points)
     for covariances in (None, np.tile(NOISE**2 * np.eye(3), (POINTS, 1, 1))):
