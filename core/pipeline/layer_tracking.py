@@ -162,7 +162,7 @@ def _registered(
 ) -> tuple[dict[str, RegisteredEpoch], set[str]]:
     """What ties each epoch, and the epochs whose units stay where their own file's registration put them."""  # fmt: skip
     given = read_registered(registrations)
-    own = {label: epoch.applied() for label, epoch in read_registered([units]).items() if label in frames}
+    own = {label: epoch.applied() for label, epoch in read_registered([units] if frames else []).items() if label in frames}
     kept = {label for label in frames if label not in given or given[label].bent or given[label].transformation is None}
     for label in sorted(kept):
         if own[label].bent:

@@ -20,7 +20,8 @@ from ..common.errors import InputError
 from ..model.pose import Pose
 from ..registration.frame_correction import FrameCorrection
 from ..registration.transformation import Transformation, transformation_of
-from ..results.geopackage_reader import read_layer_rows
+from ..results.geopackage_reader import read_layer_rows, table_names
+from ..results.result_access import REQUIRED
 
 LEAST_OWN = 1e-4
 """Least share of a stated covariance that stays with the unit when that of its frame is taken out of it."""
@@ -68,13 +69,16 @@ class StatedFrame:
 
 
 def stated_frames(path: Path) -> dict[str, StatedFrame]:
-    """Frames by the label of their epoch of a GeoPackage with units; none for epochs whose units are in the frame of their cloud.
+    """Frames by the label of their epoch of a GeoPackage with the layer ``units``; none for epochs whose units are in the frame of their
+    cloud, and of a file that holds no result.
 
     Raises
     ------
     InputError
         The file cannot be read, or a transformation is incomplete.
     """
+    if not table_names(path, ("units",)).issuperset(REQUIRED):
+        return {}
     bends = read_layer_rows(path, "frame_errors")
     found = {}
     for row in read_layer_rows(path, "epochs"):
