@@ -90,7 +90,10 @@ class JobRunner:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, *_: object) -> None:
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        if kind is not None:
+            # whoever cancels does not wait for what nobody wants any more, such as libraries that are being loaded
+            self._kill()
         self.close()
 
     def close(self) -> None:
@@ -98,6 +101,11 @@ class JobRunner:
         if self._pool is not None:
             self._pool.shutdown(wait=True, cancel_futures=True)
             self._pool = None
+
+    def _kill(self) -> None:
+        """End the local processes at once; a later call starts new ones."""
+        for process in self._processes:
+            process.kill()
 
     def start(self, load: Callable[[], None]) -> None:
         """Start the local processes already and let each ``load`` what its jobs need, while this process does something else."""
@@ -175,8 +183,7 @@ class JobRunner:
             clean = True
         finally:
             if not clean:
-                for process in self._processes:
-                    process.kill()
+                self._kill()
                 self.close()
 
     def _submitted(self, calls: Sequence[tuple[Any, ...]]) -> list[Future[None]]:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
+import time
 from dataclasses import dataclass
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 
 import numpy as np
@@ -124,6 +126,24 @@ def test_processes_started_before_there_are_jobs_serve_them(tmp_path: Path) -> N
     with JobRunner(tmp_path, 1) as runner:
         runner.start(load_libraries)
         assert not multiprocessing.active_children()
+
+
+def _load_for_a_minute() -> None:
+    time.sleep(60.0)
+
+
+def _cancel_while_processes_load(folder: Path, children: list[BaseProcess]) -> None:
+    with JobRunner(folder, 2) as runner:
+        runner.start(_load_for_a_minute)
+        children += multiprocessing.active_children()
+        raise Cancelled("cancelled")
+
+
+def test_who_cancels_does_not_wait_for_processes_that_load(tmp_path: Path) -> None:
+    children: list[BaseProcess] = []
+    with pytest.raises(Cancelled):
+        _cancel_while_processes_load(tmp_path, children)
+    assert [child.exitcode for child in children] == [-signal.SIGKILL] * 2
 
 
 def test_processes_serve_all_calls_and_end_with_the_runner(tmp_path: Path) -> None:
