@@ -91,8 +91,10 @@ class JudgedPoses:
 
     Attributes
     ----------
+    thinned
+        The thinned cloud.
     elements
-        The thinned cloud they were judged on.
+        What they were judged on: the thinned cloud, in noise moved onto the surface that neighbours share.
     poses
         (k, 12) centre and rotation by rows, reduced frame.
     evidence
@@ -105,6 +107,7 @@ class JudgedPoses:
         What the poses that are surely units have in common.
     """
 
+    thinned: SurfaceElements
     elements: SurfaceElements
     poses: FloatArray
     evidence: Evidence
@@ -158,9 +161,9 @@ def segment(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int =
 
 def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int = -1) -> JudgedPoses:
     """Every pose that :func:`segment` weighs, chance alignments included, with the evidence for it; arguments as there."""
-    elements = surface_elements(points, unit.height, workers=workers)
-    if 2.5 * elements.element_noise > NOISY_RATIO * unit.height:
-        elements = smoothed(points, elements, unit.height)
+    thinned = surface_elements(points, unit.height, workers=workers)
+    noisy = 2.5 * thinned.element_noise > NOISY_RATIO * unit.height
+    elements = smoothed(points, thinned, unit.height) if noisy else thinned
     scene = Scene.of(elements, unit, max(2.5 * elements.element_noise, 0.008 * unit.height))
     scene, poses = _searched(scene, seed)
     poses, found, owner = _settled(elements, poses, scene, rounds=1)
@@ -180,7 +183,9 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     typical = typical_unit(found, scene)
     sure = score_among(found, poses[:, :3], scene.tolerance, typical, unit) >= FOUND_SCORE
     poses, certainty = settle_twists(poses, found, sure, scene, owner)
-    return JudgedPoses(elements=elements, poses=poses, evidence=found, certainty=certainty, tolerance=scene.tolerance, typical=typical)
+    return JudgedPoses(
+        thinned=thinned, elements=elements, poses=poses, evidence=found, certainty=certainty, tolerance=scene.tolerance, typical=typical
+    )
 
 
 def _searched(scene: Scene, seed: int) -> tuple[Scene, FloatArray]:
@@ -238,9 +243,14 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
             shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
     entered = shared > MOST_INTERPENETRATION
     kept = np.flatnonzero((found >= LISTED_EVIDENCE) & (scores >= LISTED_SCORE))
+    stated = poses[kept]
+    if elements.smoothed:
+        # a shared surface is drawn inwards where it bends; from there, points would be taken from one side more than from the other
+        scene = Scene.of(judged.thinned, unit, 2.5 * judged.thinned.element_noise)
+        stated, _, _ = _settled(judged.thinned, stated, scene, rounds=1)
     units = tuple(
         DetectedUnit(
-            pose=Pose(poses[k, :3], poses[k, 3:].reshape(3, 3)),
+            pose=Pose(pose[:3], pose[3:].reshape(3, 3)),
             score=float(scores[k]),
             coverage=float(seen.cells[k] / NUMBER_OF_CELLS),
             legs_visible=int(seen.legs[k]),
@@ -249,10 +259,10 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
             interpenetration=float(shared[k]),
             supported=float(seen.support[k] / max(seen.reached[k], 1)),
         )
-        for k in kept
+        for k, pose in zip(kept, stated, strict=True)
     )
     window = max(LABEL_NOISE * elements.noise, min(LABEL_TOLERANCES * tolerance, MOST_LABEL_RATIO * unit.height))
-    labels, _ = assign(points, poses[kept], unit, window, clearance=clearance(elements.noise, unit.height))
+    labels, _ = assign(points, stated, unit, window, clearance=clearance(elements.noise, unit.height))
     return Segmentation(units=units, labels=labels, spacing=elements.spacing, noise=elements.noise, tolerance=tolerance)
 
 
