@@ -19,7 +19,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "helpers"))
 
 from bent_coast import BentCoast, bent_coast
-from frames import DEGREES, HEIGHT, flagged, frames_of
+from tetratrack.benchmarks.accuracy.frames import DEGREES, HEIGHT, flagged, frames_of
 from tetratrack.core.deformation.chained_frames import chained_errors
 from tetratrack.core.deformation.congruence import Congruence, congruence_of
 from tetratrack.core.deformation.control_scale import with_rigid_scale
