@@ -180,12 +180,17 @@ def _value(field: str, name: str, columns: Sequence[str], positive: Sequence[str
     value = _number(field, name, name in columns or name in positive, source, line)
     if name in positive and value is not None and value <= 0:
         raise InputError(
-            f"standard deviation {field.strip()} is not positive",
+            f"standard deviation {_shown(field)} is not positive",
             source=source,
             where=f"line {line}, field {name}",
             remedy="Give the standard deviation of the coordinate in metres.",
         )
     return value
+
+
+def _shown(field: str) -> str:
+    """As much of a field as a message has room for."""
+    return field.strip()[:40]
 
 
 def _number(field: str, name: str, required: bool, source: Path, line: int) -> float | None:
@@ -195,17 +200,17 @@ def _number(field: str, name: str, required: bool, source: Path, line: int) -> f
         if not required:
             return None
         raise InputError(
-            f"{field.strip()[:40]!r} is not a number",
+            f"{_shown(field)!r} is not a number",
             source=source,
             where=f"line {line}, field {name}",
             remedy="Use a point as decimal sign.",
         ) from None
     if math.isfinite(value) and abs(value) > LARGEST:
         raise InputError(
-            f"{field.strip()[:40]} is too large", source=source, where=f"line {line}, field {name}", remedy="Give it in metres or seconds."
+            f"{_shown(field)} is too large", source=source, where=f"line {line}, field {name}", remedy="Give it in metres or seconds."
         )
     if not math.isfinite(value):
         raise InputError(
-            f"{field.strip()} is not finite", source=source, where=f"line {line}, field {name}", remedy="Give a number or drop the line."
+            f"{_shown(field)} is not finite", source=source, where=f"line {line}, field {name}", remedy="Give a number or drop the line."
         )
     return value

@@ -234,6 +234,16 @@ def test_mistakes_in_the_file_are_placed(tmp_path: Path, text: str, words: str) 
     assert caught.value.remedy
 
 
+@pytest.mark.parametrize("value", ["9" * 400, "-" + "1" * 400, "x" * 400, "7" * 200])
+def test_a_long_field_is_told_in_one_sentence(tmp_path: Path, value: str) -> None:
+    for fields in (f"{value},2,3,.1,.1,.1", f"1,2,3,.1,{value},.1"):
+        path = tmp_path / "control.csv"
+        path.write_text(f"{CONTROL_HEADER}\nT1,{fields}\n", encoding="utf-8")
+        with pytest.raises(InputError, match="line 2, field") as caught:
+            read_control(path)
+        assert len(str(caught.value)) < 200 + len(str(path))
+
+
 def test_missing_file(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="does not exist"):
         read_control(tmp_path / "no.csv")
