@@ -41,14 +41,6 @@ ROUGHNESS_RATIO = 0.0015
 """Standard deviation of a unit's surface about its four cones as a share of its height, where beams are known: 3.5 mm at 2.3 m."""
 
 
-def load_libraries() -> None:
-    """Import what the jobs of a block need, which takes a second and more."""
-    from ..adjustment import gauss_helmert
-    from ..segmentation import ends_of_units, segment
-
-    del gauss_helmert, ends_of_units, segment
-
-
 @dataclass(frozen=True, kw_only=True)
 class SegmentJob:
     """Find the units of one block.

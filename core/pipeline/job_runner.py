@@ -90,10 +90,7 @@ class JobRunner:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        if kind is not None:
-            # whoever cancels does not wait for what nobody wants any more, such as libraries that are being loaded
-            self._kill()
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:
@@ -101,17 +98,6 @@ class JobRunner:
         if self._pool is not None:
             self._pool.shutdown(wait=True, cancel_futures=True)
             self._pool = None
-
-    def _kill(self) -> None:
-        """End the local processes at once; a later call starts new ones."""
-        for process in self._processes:
-            process.kill()
-
-    def start(self, load: Callable[[], None]) -> None:
-        """Start the local processes already and let each ``load`` what its jobs need, while this process does something else."""
-        if self.scheduler is None and self.workers > 1:
-            _check_main_guard()
-            self._submitted([(load,)] * self.workers)
 
     def run(self, jobs: Sequence[Job], progress: Callable[[int, int], None] = lambda done, total: None) -> list[Path]:
         """Run what is not done yet; returns the result files in the order of the jobs.
@@ -171,7 +157,7 @@ class JobRunner:
     def _pool_pass(self, tasks: Sequence[Task]) -> Iterator[Task]:
         clean = False
         try:
-            pending = dict(zip(self._submitted([(_run_and_save, *task) for task in tasks]), tasks, strict=True))
+            pending = self._submitted(tasks)
             while pending:
                 done, _ = wait(pending, timeout=0.2, return_when=FIRST_COMPLETED)
                 for future in done:
@@ -183,11 +169,11 @@ class JobRunner:
             clean = True
         finally:
             if not clean:
-                self._kill()
+                for process in self._processes:
+                    process.kill()
                 self.close()
 
-    def _submitted(self, calls: Sequence[tuple[Any, ...]]) -> list[Future[None]]:
-        """Calls, each a function and its arguments, handed to the processes."""
+    def _submitted(self, tasks: Sequence[Task]) -> dict[Future[None], Task]:
         # an executor starts its processes as tasks come in: these inherit the environment of this moment
         with _interrupts_held(), _worker_environment(max(1, (os.cpu_count() or 1) // self.workers)):
             if self._pool is None:
@@ -199,7 +185,7 @@ class JobRunner:
                     initializer=start_as_worker,
                     initargs=(os.getpid(), threading.current_thread() is threading.main_thread()),
                 )
-            submitted = [self._pool.submit(*call) for call in calls]
+            submitted = {self._pool.submit(_run_and_save, *task): task for task in tasks}
             self._processes = frozenset(multiprocessing.active_children()) - self._strangers
             return submitted
 

@@ -65,13 +65,8 @@ def job_runner(output: Path, options: RunOptions, feedback: Feedback) -> Iterato
                 raise OutputError(
                     f"cannot be made ({error.strerror})", source=folder, remedy="Check the folder's permissions and free space."
                 ) from error
-            try:
-                with JobRunner(folder, workers, options.scheduler, feedback.is_cancelled) as runner:
-                    yield runner
-            finally:
-                # a run that ends before its first block leaves nothing
-                with suppress(OSError):
-                    folder.rmdir()
+            with JobRunner(folder, workers, options.scheduler, feedback.is_cancelled) as runner:
+                yield runner
             return
         # workers of a cluster see the folder of the output, and nothing else for sure
         place = target.parent if options.scheduler else None

@@ -29,7 +29,6 @@ from ..results.schema import LAYERS
 from ..results.unit_rows import read_epochs, unit_sizes
 from ..results.unit_sizes import size_of
 from ..review.decisions import settle_decisions
-from .block_jobs import load_libraries
 from .epoch_alignment import align_epochs
 from .epoch_plans import plan_survey
 from .epoch_quality import state_quality
@@ -126,17 +125,14 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
     plans = plan_survey(survey, feedback.part(0, start))
     if len(plans) == 1:
         feedback.info("one epoch: units and feature points are found; displacements need a second one")
+    check_sizes(survey, plans[0].tiles, feedback.part(start, start))
+    record = record_run(
+        survey,
+        options.seed,
+        {"step": "run", "survey": survey.name, "unit": [repr(unit) for unit in survey.units], "leg_length": survey.unit.leg_length},
+    )
+    registrations = register_epochs(survey, plans, feedback)
     with job_runner(output, options, feedback) as runner:
-        if sum(len(plan.blocks) for plan in plans) > 1:
-            # the workers load their libraries while this process looks at the input
-            runner.start(load_libraries)
-        check_sizes(survey, plans[0].tiles, feedback.part(start, start))
-        record = record_run(
-            survey,
-            options.seed,
-            {"step": "run", "survey": survey.name, "unit": [repr(unit) for unit in survey.units], "leg_length": survey.unit.leg_length},
-        )
-        registrations = register_epochs(survey, plans, feedback)
         fitted, calibration = find_and_fit(survey, plans, record, runner, feedback.part(start, start := start + SHARES["fit"]))
         warn_of_empty(survey, [epoch.plan for epoch in fitted if not len(epoch)], feedback)
         registrations = align_epochs(survey, fitted, registrations, feedback)

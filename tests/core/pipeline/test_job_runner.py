@@ -5,9 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
-import time
 from dataclasses import dataclass
-from multiprocessing.process import BaseProcess
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +19,7 @@ from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.pipeline.array_files import load_arrays, loaded_arrays, save_arrays
-from tetratrack.core.pipeline.block_jobs import LEG_COLUMNS, FitJob, adjusted_nearby, load_libraries
+from tetratrack.core.pipeline.block_jobs import LEG_COLUMNS, FitJob, adjusted_nearby
 from tetratrack.core.pipeline.blocks import plan_blocks
 from tetratrack.core.pipeline.epoch_units import owners
 from tetratrack.core.pipeline.job_runner import JobRunner, job_key
@@ -114,36 +112,6 @@ def test_results_come_in_the_order_of_the_jobs_and_are_kept(tmp_path: Path, work
         (tmp_path / "square-2.npz").write_bytes(b"power was lost here")
         assert _squares(runner.run(jobs)) == [9, 1, 4]
     assert [p.name for p in tmp_path.glob("tried-*")] == ["tried-2"]
-
-
-def test_processes_started_before_there_are_jobs_serve_them(tmp_path: Path) -> None:
-    with JobRunner(tmp_path, 2) as runner:
-        runner.start(load_libraries)
-        first = {child.pid for child in multiprocessing.active_children()}
-        assert len(first) == 2
-        assert _squares(runner.run([Square(1), Square(2)])) == [1, 4]
-        assert {child.pid for child in multiprocessing.active_children()} == first
-    with JobRunner(tmp_path, 1) as runner:
-        runner.start(load_libraries)
-        assert not multiprocessing.active_children()
-
-
-def _load_for_a_minute() -> None:
-    time.sleep(60.0)
-
-
-def _cancel_while_processes_load(folder: Path, children: list[BaseProcess]) -> None:
-    with JobRunner(folder, 2) as runner:
-        runner.start(_load_for_a_minute)
-        children += multiprocessing.active_children()
-        raise Cancelled("cancelled")
-
-
-def test_who_cancels_does_not_wait_for_processes_that_load(tmp_path: Path) -> None:
-    children: list[BaseProcess] = []
-    with pytest.raises(Cancelled):
-        _cancel_while_processes_load(tmp_path, children)
-    assert [child.exitcode for child in children] == [-signal.SIGKILL] * 2
 
 
 def test_processes_serve_all_calls_and_end_with_the_runner(tmp_path: Path) -> None:
