@@ -160,19 +160,18 @@ def _registered(
     registrations: Sequence[Path],
     feedback: Feedback,
 ) -> tuple[dict[str, RegisteredEpoch], set[str]]:
-    """What ties each epoch, and the epochs whose units stay where their own file's registration put them."""  # fmt: skip
+    """What ties each epoch, and the epochs whose units stay where their own file's registration put them."""
     given = read_registered(registrations)
-    own = {label: epoch.applied() for label, epoch in read_registered([units] if frames else []).items() if label in frames}
     kept = {label for label in frames if label not in given or given[label].bent or given[label].transformation is None}
     for label in sorted(kept):
-        if own[label].bent:
+        if frames[label].applied.bent:
             # how far its targets leave the bend open is not in it, and the control datum would hang on the units instead
             raise InputError(
                 f"holds units of {label} in a frame that was bent", source=units, where="layer units",
                 remedy="Give what tetratrack register says of this survey with --registration, or the units of tetratrack fit.",
             )  # fmt: skip
         feedback.info(f"{label}: its units are in the control frame already and stay as they were registered")
-    registered = given | {label: own[label] for label in kept}
+    registered = given | {label: frames[label].applied for label in kept}
     for label, rows in fits.items():
         if label in registered and label not in frames and any(map(is_registered, rows)):
             raise InputError(

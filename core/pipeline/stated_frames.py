@@ -6,7 +6,6 @@ control frame, straightened where the frame bends; registered once more they wou
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,9 +18,10 @@ from ..common.arrays import FloatArray
 from ..common.errors import InputError
 from ..model.pose import Pose
 from ..registration.frame_correction import FrameCorrection
-from ..registration.transformation import Transformation, transformation_of
+from ..registration.transformation import Transformation
 from ..results.geopackage_reader import read_layer_rows, table_names
 from ..results.result_access import REQUIRED
+from .registered_layers import RegisteredEpoch, read_registered
 
 LEAST_OWN = 1e-4
 """Least share of a stated covariance that stays with the unit when that of its frame is taken out of it."""
@@ -35,11 +35,14 @@ class StatedFrame:
     ----------
     transformation
         Cloud to control.
+    applied
+        What ties units that stay in the control frame.
     correction
         Error of the registered cloud where its frame bends.
     """
 
     transformation: Transformation
+    applied: RegisteredEpoch
     correction: FrameCorrection
 
     def in_cloud(self, pose: Pose) -> Pose:
@@ -81,11 +84,10 @@ def stated_frames(path: Path) -> dict[str, StatedFrame]:
         return {}
     bends = read_layer_rows(path, "frame_errors")
     found = {}
-    for row in read_layer_rows(path, "epochs"):
-        transformation = transformation_of(json.loads(row.get("transformation") or "{}"))
-        if transformation is not None:
-            label = str(row["label"])
-            found[label] = StatedFrame(transformation=transformation, correction=FrameCorrection.from_rows(bends, label))
+    for label, epoch in read_registered([path]).items():
+        if epoch.transformation is not None:
+            correction = FrameCorrection.from_rows(bends, label)
+            found[label] = StatedFrame(transformation=epoch.transformation, applied=epoch.applied(), correction=correction)
     return found
 
 
