@@ -17,7 +17,7 @@ from scipy.spatial.transform import Rotation
 
 from ..common.arrays import FloatArray
 from ..common.noncentrality import noncentrality
-from ..model.tetrapod import LATERAL, relate, surface_cells
+from ..model.tetrapod import LATERAL, distance_to_surface, relate, surface_cells
 from ..model.unit_types import UnitType
 
 ORIENTATIONS = 64
@@ -200,7 +200,7 @@ def point_counts(
     steps = np.linspace(0.02, 1, 48)[1:] * 2 * unit.leg_length
     lifted = centres + 1e-3 * unit.height * normals
     along = (lifted[:, None, :] + steps[None, :, None] * direction).reshape(-1, 3)
-    hidden = (relate(along, unit).distance.reshape(len(centres), -1) < 0).any(axis=1)
+    hidden = (distance_to_surface(along, unit).reshape(len(centres), -1) < 0).any(axis=1)
     seen = (facing > 0) & ~hidden
     order = np.argsort(-(centres @ direction), kind="stable")
     kept = np.cumsum(np.where(seen[order], area[order], 0)) <= visible_share * area.sum()

@@ -11,7 +11,7 @@ from ..common.arrays import FloatArray, IntArray
 from ..common.atomic_files import write_whole
 from ..common.errors import InputError, OutputError
 from ..common.output_files import check_targets
-from ..model.tetrapod import relate
+from ..model.tetrapod import distance_to_surface
 from ..results.geopackage_reader import ResultCrs
 from ..review.point_index import PointIndex, index_folder
 from .as_built import AsBuilt, read_as_built
@@ -83,7 +83,7 @@ def distances(points: FloatArray, model: AsBuilt) -> tuple[FloatArray, IntArray]
             continue
         body = (points[own] - unit.shape.centre) @ unit.shape.rotation
         kind = model.solids[unit.solid].unit.with_shape(unit.shape.radius, unit.shape.gradient)
-        found = relate(body, kind).distance
+        found = distance_to_surface(body, kind)
         # deep within one body counts more than just outside of another
         nearer = np.abs(found) < np.abs(distance[own])
         distance[own[nearer]], number[own[nearer]] = found[nearer], k

@@ -21,7 +21,7 @@ from ..adjustment.gauss_helmert import adjust
 from ..common.arrays import FloatArray
 from ..common.errors import NoSolutionError
 from ..model.pose import Pose
-from ..model.tetrapod import relate
+from ..model.tetrapod import distance_to_surface, relate
 from ..model.unit_types import UnitType
 
 SUPPORTED = 0.4
@@ -107,7 +107,7 @@ def settled_on(points: FloatArray, pose: Pose, unit: UnitType, tolerance: float)
     """
     found = pose
     for band in BANDS:
-        near = np.abs(relate(found.to_body(points), unit).distance) < band * tolerance
+        near = np.abs(distance_to_surface(found.to_body(points), unit)) < band * tolerance
         if np.count_nonzero(near) < FEWEST_POINTS:
             return pose
         try:
@@ -118,5 +118,5 @@ def settled_on(points: FloatArray, pose: Pose, unit: UnitType, tolerance: float)
     turn = float(np.linalg.norm(Rotation.from_matrix(found.rotation @ pose.rotation.T).as_rotvec()))
     if way > FARTHEST_HEIGHTS or turn > FARTHEST_TURN:
         return pose
-    before, after = (np.count_nonzero(np.abs(relate(p.to_body(points), unit).distance) < 0.5 * tolerance) for p in (pose, found))
+    before, after = (np.count_nonzero(np.abs(distance_to_surface(p.to_body(points), unit)) < 0.5 * tolerance) for p in (pose, found))
     return found if after > before else pose

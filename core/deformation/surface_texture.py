@@ -17,7 +17,7 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray
 from ..model.pose import Pose
-from ..model.tetrapod import relate
+from ..model.tetrapod import distance_to_surface
 from ..model.unit_types import UnitType
 
 LATERAL = (0.4, 0.85)
@@ -73,7 +73,7 @@ def texture(points: FloatArray, sources: NDArray[np.integer], pose: Pose, unit: 
     """Relief of a unit from its (n, 3) points and their (n,) strips or stations, whose offsets do not matter."""
     body = pose.to_body(points)
     along = (body @ unit.leg_directions.T).max(axis=1) / unit.leg_length
-    heights = relate(body, unit).distance
+    heights = distance_to_surface(body, unit)
     lateral = (along > LATERAL[0]) & (along < LATERAL[1]) & (np.abs(heights) < DEPTH_HEIGHTS * unit.height)
     parts = [(np.empty((0, 3)), np.empty(0))]
     for source in np.unique(sources[lateral]):

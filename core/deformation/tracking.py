@@ -18,7 +18,7 @@ from scipy.spatial import cKDTree
 from ..common.arrays import FloatArray, IntArray
 from ..model.feature_points import FEATURES, FeaturePoints, feature_points
 from ..model.mould import Mould
-from ..model.tetrapod import relate
+from ..model.tetrapod import distance_to_surface
 from ..model.unit_types import UnitType
 from ..registration.frame_field import FieldEstimate, LocalMotions
 from ..registration.transformation import Transformation
@@ -247,7 +247,7 @@ def _look_for_missing(
                 near = [owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * reach)]
                 free = _left_by(near, points, now)
                 pose = settled_on(points[free], pose, known.shape, tolerance)
-                index = free[np.abs(relate(pose.to_body(points[free]), known.shape).distance) < tolerance]
+                index = free[np.abs(distance_to_surface(pose.to_body(points[free]), known.shape)) < tolerance]
                 if len(index) < MIN_RECOVERED_POINTS:
                     states[unit][epoch] = "hidden"
                     continue

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..common.arrays import FloatArray, IntArray
+from ..common.arrays import BoolArray, FloatArray, IntArray
 from .unit_types import UnitType
 
 EDGE_RATIO = 0.03
@@ -52,26 +52,65 @@ def relate(body_points: ArrayLike, unit: UnitType) -> SurfaceRelation:
     A point belongs to the leg whose axis it leans to most; because the cones are equal, the planes of equal lean are exactly
     the creases between the legs.
     """
-    points = np.asarray(body_points, dtype=np.float64).reshape(-1, 3)
-    lean = points @ unit.leg_directions.T
-    leg = np.argmax(lean, axis=1)
-    axis = unit.leg_directions[leg]
-    axial = lean[np.arange(len(points)), leg]
-    across = points - axial[:, None] * axis
-    rho = np.linalg.norm(across, axis=1)
-    radial = across / np.maximum(rho, 1e-300)[:, None]
-    cosine = 1 / math.hypot(1, unit.gradient)
-    lateral = (rho - (unit.radius - unit.gradient * axial)) * cosine
-    end = axial - unit.leg_length
-    on_end = (end > lateral) & (rho <= unit.end_radius) | (end > 0) & (lateral <= 0)
-    on_end |= (lateral < 0) & (end > lateral)
-    # past the rim of the end disc the nearest point is the rim itself
-    beyond = (end > 0) & (rho > unit.end_radius)
-    rim = np.hypot(rho - unit.end_radius, end)
-    distance = np.where(on_end, end, lateral)
-    distance = np.where(beyond, rim, distance)
-    normal = np.where(on_end[:, None], axis, (radial + unit.gradient * axis) * cosine)
-    return SurfaceRelation(distance, leg.astype(np.int64), np.where(on_end, END_DISC, LATERAL).astype(np.int64), axial, normal)
+    lean = _Lean.of(body_points, unit)
+    distance, on_end = lean.distance()
+    radial = lean.across / np.maximum(lean.rho, 1e-300)[:, None]
+    normal = np.where(on_end[:, None], lean.axis, (radial + unit.gradient * lean.axis) * lean.cosine)
+    return SurfaceRelation(distance, lean.leg.astype(np.int64), np.where(on_end, END_DISC, LATERAL).astype(np.int64), lean.axial, normal)
+
+
+def distance_to_surface(body_points: ArrayLike, unit: UnitType) -> FloatArray:
+    """(n,) signed distance of (n, 3) points in the body frame as :func:`relate` gives it, without all else that costs as much again."""
+    return _Lean.of(body_points, unit).distance()[0]
+
+
+@dataclass(frozen=True, eq=False)
+class _Lean:
+    """Points in the frame of the leg that they lean to most.
+
+    Attributes
+    ----------
+    unit
+        Nominal geometry.
+    leg, axis, axial
+        (n,) number, (n, 3) direction of the leg, (n,) coordinate along it.
+    across, rho
+        (n, 3) vector from the axis to the point and (n,) its length.
+    """
+
+    unit: UnitType
+    leg: IntArray
+    axis: FloatArray
+    axial: FloatArray
+    across: FloatArray
+    rho: FloatArray
+
+    @classmethod
+    def of(cls, body_points: ArrayLike, unit: UnitType) -> _Lean:
+        points = np.asarray(body_points, dtype=np.float64).reshape(-1, 3)
+        lean = points @ unit.leg_directions.T
+        leg = np.argmax(lean, axis=1)
+        axis = unit.leg_directions[leg]
+        axial = lean[np.arange(len(points)), leg]
+        across = points - axial[:, None] * axis
+        return cls(unit, leg, axis, axial, across, np.linalg.norm(across, axis=1))
+
+    @property
+    def cosine(self) -> float:
+        """Of the angle between the cone's generators and its axis."""
+        return 1 / math.hypot(1, self.unit.gradient)
+
+    def distance(self) -> tuple[FloatArray, BoolArray]:
+        """(n,) signed distance and whether the nearer part is the end disc."""
+        unit, rho = self.unit, self.rho
+        lateral = (rho - (unit.radius - unit.gradient * self.axial)) * self.cosine
+        end = self.axial - unit.leg_length
+        on_end = (end > lateral) & (rho <= unit.end_radius) | (end > 0) & (lateral <= 0)
+        on_end |= (lateral < 0) & (end > lateral)
+        # past the rim of the end disc the nearest point is the rim itself
+        beyond = (end > 0) & (rho > unit.end_radius)
+        rim = np.hypot(rho - unit.end_radius, end)
+        return np.where(beyond, rim, np.where(on_end, end, lateral)), on_end
 
 
 def raise_means(body_means: ArrayLike, spread: FloatArray, unit: UnitType) -> FloatArray:

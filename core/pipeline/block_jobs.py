@@ -17,7 +17,7 @@ from ..data.tiles import PointCloud, Window, read_points
 from ..data.trajectory import BeamNoise
 from ..model.mould import Mould, onto_cones
 from ..model.pose import Pose
-from ..model.tetrapod import END_DISC, raise_means, relate
+from ..model.tetrapod import END_DISC, distance_to_surface, raise_means
 from ..model.unit_types import UnitType
 from .array_files import Arrays, load_arrays
 from .blocks import HALO_HEIGHTS, MARGIN_HEIGHTS, Block
@@ -472,7 +472,7 @@ def _offsets(sizes: Sequence[int] | IntArray) -> IntArray:
 
 def _median_distance(points: FloatArray, pose: Pose, unit: UnitType) -> float:
     """Median absolute distance of (n, 3) points to the surface of a unit, metres; nan without points."""
-    return float(np.median(np.abs(relate(pose.to_body(points), unit).distance))) if len(points) else float("nan")
+    return float(np.median(np.abs(distance_to_surface(pose.to_body(points), unit)))) if len(points) else float("nan")
 
 
 def _row(pose: Pose) -> FloatArray:

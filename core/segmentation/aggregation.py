@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray, IntArray
 from ..common.neighbourhood import build_grid
-from ..model.tetrapod import relate
+from ..model.tetrapod import distance_to_surface, relate
 from ..model.unit_types import UnitType
 
 
@@ -33,10 +33,10 @@ def assign(
     grid = build_grid(points, 0.25 * reach)
     for k in range(len(poses)):
         index = grid.within(points, poses[k, :3], reach)
-        relation = relate((points[index] - poses[k, :3]) @ poses[k, 3:].reshape(3, 3), unit)
-        nearer = np.abs(relation.distance) < np.abs(distance[index])
-        distance[index[nearer]] = relation.distance[nearer]
-        close = nearer & (np.abs(relation.distance) < tolerance)
+        own = distance_to_surface((points[index] - poses[k, :3]) @ poses[k, 3:].reshape(3, 3), unit)
+        nearer = np.abs(own) < np.abs(distance[index])
+        distance[index[nearer]] = own[nearer]
+        close = nearer & (np.abs(own) < tolerance)
         labels[index[close]] = k
     if clearance > 0:
         labels[contested(points, labels, poses, unit, clearance)] = -1
@@ -78,4 +78,4 @@ def contested(points: FloatArray, labels: IntArray, poses: FloatArray, unit: Uni
 
 def _distance(points: FloatArray, pose: FloatArray, unit: UnitType) -> FloatArray:
     """(n,) distance of (n, 3) points from the surface of a unit with a pose (12,), metres."""
-    return np.abs(relate((points - pose[:3]) @ pose[3:].reshape(3, 3), unit).distance)
+    return np.abs(distance_to_surface((points - pose[:3]) @ pose[3:].reshape(3, 3), unit))

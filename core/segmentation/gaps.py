@@ -23,7 +23,7 @@ from ..common.arrays import FloatArray, IntArray
 from ..common.kernels import kernel
 from ..common.neighbourhood import build_grid
 from ..common.voxels import thin
-from ..model.tetrapod import relate, surface_area
+from ..model.tetrapod import distance_to_surface, surface_area
 from ..model.unit_types import UnitType
 from .aggregation import assign
 from .cone_relation import height_above_cones
@@ -302,7 +302,7 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
     for k in np.flatnonzero(fitting):
         pose = settled[k]
         own = elements[grid.within(elements, pose[:3], reach)]
-        distance = relate((own - pose[:3]) @ pose[3:].reshape(3, 3), unit).distance
+        distance = distance_to_surface((own - pose[:3]) @ pose[3:].reshape(3, 3), unit)
         on, inside = int(np.sum(np.abs(distance) <= tolerance)), int(np.sum(distance < -tolerance))
         share = on / max(len(own), 1)
         if on >= wanted and inside <= MOST_INSIDE * on and share >= EXPLAINS_MOST and _free(pose, kind, armour):

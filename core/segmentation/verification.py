@@ -11,7 +11,7 @@ import numpy as np
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.kernels import kernel
-from ..model.tetrapod import relate
+from ..model.tetrapod import distance_to_surface, relate
 from ..model.unit_types import UnitType
 from .pose_evidence import evidence
 from .pose_refinement import refine
@@ -167,7 +167,7 @@ def solid_samples(unit: UnitType) -> FloatArray:
     half = unit.leg_length * 1.2
     line = np.arange(-half, half, step)
     lattice = np.stack(np.meshgrid(line, line, line, indexing="ij"), axis=-1).reshape(-1, 3)
-    return lattice[relate(lattice, unit).distance < 0]
+    return lattice[distance_to_surface(lattice, unit) < 0]
 
 
 @kernel()

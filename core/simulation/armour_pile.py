@@ -17,7 +17,7 @@ from scipy.spatial.transform import Rotation
 from ..common.arrays import FloatArray
 from ..common.errors import InputError
 from ..model.pose import Pose
-from ..model.tetrapod import relate, sample_surface
+from ..model.tetrapod import distance_to_surface, sample_surface
 from ..model.unit_types import UnitType
 
 CONTACT_TOLERANCE = 0.004
@@ -246,9 +246,9 @@ def deepest_overlap(shape: UnitType, pose: Pose, others: list[PiledUnit], unit: 
         if np.linalg.norm(other.pose.centre - pose.centre) > reach:
             continue
         theirs = other.shape(unit)
-        deepest = max(deepest, -float(relate(other.pose.to_body(own), theirs).distance.min()))
+        deepest = max(deepest, -float(distance_to_surface(other.pose.to_body(own), theirs).min()))
         surface = other.pose.to_frame(samples * other.scale)
-        deepest = max(deepest, -float(relate(pose.to_body(surface), shape).distance.min()))
+        deepest = max(deepest, -float(distance_to_surface(pose.to_body(surface), shape).min()))
     return deepest
 
 
