@@ -68,6 +68,8 @@ KINDS = {
     "uav_flat": Kind(instrument="uav"),
     "uav_drift": Kind(instrument="uav", frame=FrameErrors(drift=0.03)),
     "uav_anonymous": Kind(instrument="uav", anonymous=True),
+    "uav_anonymous_bent": Kind(instrument="uav", frame=FrameErrors(bend=0.03), anonymous=True),
+    "uav_anonymous_short": Kind(instrument="uav", frame=FrameErrors(bend=0.03, shortest=30.0, longest=60.0), anonymous=True),
     "uav_turned": Kind(instrument="uav", turned=True),
     "uav_turned_alone": Kind(instrument="uav", turned=True, targets_every=0.0),
     "uav_no_targets": Kind(instrument="uav", frame=FrameErrors(bend=0.03), targets_every=0.0),

@@ -1,10 +1,13 @@
 """A synthetic coast of 2, 8, 32 and 64 tiles of 50 units: throughput, peak memory of a worker and of the parent, parallel efficiency.
 
     python benchmarks/performance/scale.py [--tiles 2 8 32 64] [--epochs 1] [--workers 1 2] [--folder DIR] [--density 500] [--json FILE]
+    python benchmarks/performance/scale.py --bend 0.03 --tiles 8 64 --epochs 2 --workers 1 --density 300
 
-One simulated stretch of breakwater is repeated along the coast; every repetition is a tile. Each size runs ``tetratrack run`` in a
-process of its own. Wall-clock time depends on what else the machine does; processor time hardly does, so both are given. Work is done
-by blocks, whose size decides the memory of a worker: their number is given, and a coast of one block is worked on without workers.
+One simulated stretch of breakwater is repeated along the coast; every repetition is a tile. With ``--bend`` the whole coast is
+simulated instead: every tile is a stretch of 40 units of its own, lines run through all of them, every epoch bends by so many metres
+and stations of targets stand every 70 m. Each size runs ``tetratrack run`` in a process of its own. Wall-clock time depends on what
+else the machine does; processor time hardly does, so both are given. Work is done by blocks, whose size decides the memory of a worker:
+their number is given, and a coast of one block is worked on without workers.
 """
 
 from __future__ import annotations
@@ -18,6 +21,7 @@ import sys
 import tempfile
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -25,10 +29,14 @@ import laspy
 import numpy as np
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.epoch_plans import plan_survey
-from tetratrack.core.simulation.survey_plan import SimulationPlan
+from tetratrack.core.simulation.bent_frames import FrameErrors
+from tetratrack.core.simulation.coast import CoastSimulation
+from tetratrack.core.simulation.survey_plan import SimulationPlan, plan_of
 from tetratrack.core.simulation.virtual_survey import simulate_survey
 
-UNITS_PER_TILE = 50
+UNITS_PER_TILE, UNITS_PER_STRETCH = 50, 40
+BENT_SEED, BENT_TARGETS = 771, 70.0
+"""Of a coast that bends: its seed, and the distance of its stations of targets in metres."""
 
 
 def stretch(folder: Path, density: float, epochs: int) -> Path:
@@ -67,6 +75,22 @@ def coast(source: Path, folder: Path, tiles: int) -> tuple[Path, int]:
     survey = folder / "survey.toml"
     survey.write_text(text, encoding="utf-8")
     return survey, tiles * sum(len(las.X) for las in stretches)
+
+
+def bent_coast(folder: Path, tiles: int, density: float, epochs: int, bend: float) -> tuple[Path, int]:
+    """Simulate a coast whose epochs bend by ``bend`` metres, a stretch a tile; gives survey.toml and the points of all epochs."""
+    plan = plan_of(
+        "uav", "coast", units=UNITS_PER_STRETCH, epochs=epochs, seed=BENT_SEED, density=density, frame=FrameErrors(bend=bend), length=1.0,
+        targets_every=BENT_TARGETS,
+    )  # fmt: skip
+    stretch_length = 2 * CoastSimulation(plan, folder).core
+    survey = simulate_survey(replace(plan, length=tiles * stretch_length), folder)
+    return survey, sum(_points_in(path) for path in folder.glob("tiles/*/*.laz"))
+
+
+def _points_in(path: Path) -> int:
+    with laspy.open(path) as reader:
+        return int(reader.header.point_count)
 
 
 def blocks_of(survey: Path) -> int:
@@ -157,6 +181,7 @@ def main() -> None:
     parser.add_argument("--tiles", nargs="+", type=int, default=[2, 8, 32, 64])
     parser.add_argument("--epochs", type=int, default=1)
     parser.add_argument("--workers", nargs="+", type=int, default=[1, 2])
+    parser.add_argument("--bend", type=float, default=0.0, help="of every epoch, metres rms per coordinate")
     parser.add_argument("--density", type=float, default=500, help="points per square metre, all lines together")
     parser.add_argument("--folder", type=Path, help="where the coast is made (default: a temporary folder)")
     parser.add_argument("--json", type=Path, help="write the figures to this file as well")
@@ -181,16 +206,20 @@ def main() -> None:
     print("| --- " * len(columns) + "|")
     with tempfile.TemporaryDirectory(dir=options.folder) as name:
         work = Path(name)
-        source = stretch(work / "stretch", options.density, options.epochs)
+        bent = options.bend > 0
+        source = None if bent else stretch(work / "stretch", options.density, options.epochs)
         for tiles in options.tiles:
             folder = work / f"coast{tiles}"
-            survey, points = coast(source, folder, tiles)
+            if source is None:
+                survey, points = bent_coast(folder, tiles, options.density, options.epochs, options.bend)
+            else:
+                survey, points = coast(source, folder, tiles)
             blocks = blocks_of(survey)
             alone: float | None = None
             for workers in options.workers:
                 r = run(survey, folder / f"result{workers}.gpkg", workers)
                 alone = r["seconds"] if workers == 1 else alone
-                units = tiles * UNITS_PER_TILE * options.epochs
+                units = tiles * (UNITS_PER_STRETCH if bent else UNITS_PER_TILE) * options.epochs
                 r |= {"tiles": tiles, "blocks": blocks, "true_units": units, "points": points, "workers": workers}
                 rows.append(r)
                 rates = (points / r["seconds"], units / r["seconds"], 1e6 * r["cpu"] / points, r["worker_gib"], r["parent_gib"])
