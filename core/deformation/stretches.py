@@ -32,8 +32,8 @@ STRETCH_HEIGHTS = 10.0
 FEWEST_UNITS = 5
 FEWEST_OTHERS = 4
 """Other stretches, none of them overlapping, from which their variance is learned."""
-MOST_UNKNOWNS = 2500
-"""Unknowns of a field up to which it is adjusted anew without each stretch."""
+MOST_ANEW = 500
+"""Unknowns of a field up to which it is adjusted anew without each stretch: of a longer coast the stretch is taken out of what is known."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -169,14 +169,38 @@ def _frame_part(
     if elastic is None:
         middle = congruence.rigid_motions(places.mean(axis=0)[None], datum)
         return congruence.rigid_motions(places, datum).means[:, :3], middle.covariances[0, :3, :3]
-    field = elastic.control if datum == "control" else _without(units, own, elastic)
-    return field.at(places).means[:, :3], field.covariance_of_mean(places)
+    if datum == "stable":
+        return _without(units, own, elastic)
+    return elastic.control.at(places).means[:, :3], elastic.control.covariance_of_mean(places)
 
 
-def _without(units: JudgedUnits, own: IntArray, elastic: ElasticDatum) -> FieldEstimate:
-    """Datum ``stable`` without the units of a stretch; of very long coasts that of all units."""
-    if elastic.control.basis.size > MOST_UNKNOWNS:
-        return elastic.stable
+def _without(units: JudgedUnits, own: IntArray, elastic: ElasticDatum) -> tuple[FloatArray, FloatArray]:
+    """Datum ``stable`` by all units but those of a stretch: the error (k, 3) at these, and covariance of its mean (3, 3).
+
+    What the units of a stretch say bears on the few unknowns that they feel, and is taken out of the joint distribution of these: the
+    effort follows the stretch and not the coast, and what is left is that of an adjustment anew to some 1e-8 metres.
+    """
+    basis = elastic.stable.basis
+    if basis.size <= MOST_ANEW:
+        field = _adjusted_without(units, own, elastic)
+        return field.at(units.places[own]).means[:, :3], field.covariance_of_mean(units.places[own])
+    design = basis.design(units.places[own])
+    columns = np.unique(design.indices)
+    rows = design[:, columns].toarray().reshape(len(own), 3, -1)
+    used = elastic.used[own]
+    weighted = np.linalg.inv(units.covariances[own][used]) @ rows[used]
+    information = np.einsum("kia,kib->ab", rows[used], weighted, optimize=True)
+    rhs = np.einsum("kia,ki->a", weighted, units.vectors[own][used])
+    known, mean = elastic.stable.covariance[np.ix_(columns, columns)], elastic.stable.mean[columns]
+    others = np.linalg.solve(np.eye(len(columns)) - known @ information, known)
+    mean = mean + others @ (information @ mean - rhs)
+    average = rows.mean(axis=0)
+    covariance = average @ others @ average.T
+    return rows @ mean, 0.5 * (covariance + covariance.T)
+
+
+def _adjusted_without(units: JudgedUnits, own: IntArray, elastic: ElasticDatum) -> FieldEstimate:
+    """Datum ``stable`` adjusted anew without the units of a stretch."""
     keep: BoolArray = elastic.used.copy()
     keep[own] = False
     weights = np.asarray(np.linalg.inv(units.covariances[keep]), dtype=np.float64)

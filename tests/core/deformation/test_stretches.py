@@ -5,9 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import pytest
 from bent_coast import DIRECTION, bent_coast
-from tetratrack.core.deformation.congruence import congruence_of
+from tetratrack.core.deformation import stretches as stretches_module
+from tetratrack.core.deformation.congruence import Congruence, congruence_of
+from tetratrack.core.deformation.elastic_congruence import ElasticDatum, elastic_congruence_of
 from tetratrack.core.deformation.stretches import JudgedUnits, StretchMotion, motions_of_stretches
+from tetratrack.core.registration.frame_field import FieldBasis, FieldEstimate, FieldModel
 
 HEIGHT = 2.3
 PATCH = 12.0
@@ -44,3 +48,55 @@ def test_a_slide_stands_out_of_them() -> None:
         assert all(s.adjusted < 0.05 for s in inside)
         assert sum(s.adjusted < 0.05 for s in apart) <= 1
         assert inside
+
+
+def bent(length: float) -> tuple[JudgedUnits, Congruence, ElasticDatum]:
+    """Units of a coast of ``length`` metres that bends by 3 cm over 15 m, with a slide, and both datums as fields."""
+    coast = bent_coast(3, length=length, shortest=40.0, longest=80.0, slide=(40.0, 64.0))
+    axis = (float(DIRECTION[0]), float(DIRECTION[1]))
+    model = FieldModel(sds=(0.04, 0.04, 0.04), length=15.0, across=240.0, axis=axis)
+    basis = FieldBasis.over(model, np.vstack([coast.places, coast.targets]), 0.002)
+    targets = np.tile(np.eye(3) / (2 * coast.target_sd**2), (len(coast.targets), 1, 1))
+    control = FieldEstimate.from_observations(
+        basis, basis.precision(), coast.targets, coast.residuals[1] - coast.residuals[0], targets
+    )  # fmt: skip
+    precision = np.linalg.inv(control.covariance)
+    nothing = np.zeros(len(coast.places), dtype=bool)
+    found, elastic = elastic_congruence_of(
+        coast.displacements, coast.covariances, coast.places, control, precision, HEIGHT, 40.0, nothing, controlled=True
+    )
+    units = JudgedUnits(places=coast.places, vectors=coast.displacements, covariances=found.null.covariance(coast.covariances))
+    return units, found, elastic
+
+
+def test_a_stretch_taken_out_leaves_what_an_adjustment_without_it_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    units, found, elastic = bent(250.0)
+    assert elastic.control.basis.size > stretches_module.MOST_ANEW
+    taken_out = motions_of_stretches(units, found, elastic, HEIGHT)
+    monkeypatch.setattr(stretches_module, "MOST_ANEW", elastic.control.basis.size)
+    anew = motions_of_stretches(units, found, elastic, HEIGHT)
+    for datum in ("stable", "control"):
+        assert len(anew[datum]) > 15
+        for one, other in zip(taken_out[datum], anew[datum], strict=True):
+            assert one.motion == pytest.approx(other.motion, abs=1e-8)
+            assert one.covariance == pytest.approx(other.covariance, rel=1e-6, abs=1e-12)
+            assert one.adjusted == pytest.approx(other.adjusted, rel=1e-5)
+
+
+def test_a_longer_coast_has_no_larger_matrices_of_a_stretch(monkeypatch: pytest.MonkeyPatch) -> None:
+    sizes: dict[float, list[int]] = {}
+    solve = np.linalg.solve
+    for length in (250.0, 500.0):
+        units, found, elastic = bent(length)
+        solved = sizes.setdefault(length, [])
+
+        def counted(matrix: np.ndarray, right: np.ndarray, solved: list[int] = solved) -> np.ndarray:
+            solved.append(len(matrix))
+            return solve(matrix, right)
+
+        with monkeypatch.context() as patch:
+            patch.setattr(np.linalg, "solve", counted)
+            patch.setattr(FieldEstimate, "from_observations", None)
+            motions_of_stretches(units, found, elastic, HEIGHT)
+    assert max(sizes[500.0]) <= 1.1 * max(sizes[250.0]) < elastic.control.basis.size / 3
+    assert len(sizes[500.0]) < 2.2 * len(sizes[250.0])
