@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray
 from .fitted_unit import FittedUnit
@@ -14,9 +15,20 @@ from .surface_texture import Texture, likeness, texture
 from .unit_clouds import by_home
 
 RELIEFS_HELD = 64
-"""Lost units whose relief is compared with that of all new ones at a time."""
+"""Lost units whose relief is compared with that of the new ones around them at a time."""
+CARRIED_HEIGHTS = 30.0
+"""Distance in unit heights in which one that left its place is looked for: beyond what waves carry and a crane on its stand reaches
+(assumed), so that the number of comparisons follows the length of the structure."""
 DOUBTFUL_MOVE_HEIGHTS = 0.2
 """Motion above which another unit fits into the place."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sighting:
+    """A unit that left its place or came to another, and its (3,) place less the shift of the whole cloud, metres."""
+
+    unit: FittedUnit
+    place: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +82,11 @@ class Followed:
         states = {e: s for e, s in self.states.items() if e < epoch} | {e: s for e, s in arrived.states.items() if e > epoch}
         return Followed(track, self.seen | {e: s.relabelled(symmetry) for e, s in arrived.seen.items()}, states)
 
+    def sighting(self, epoch: int, shifts: FloatArray) -> Sighting:
+        """The unit in an epoch, and its centre less the (e, 3) ``shifts`` of whole clouds."""
+        unit = self.seen[epoch]
+        return Sighting(unit, unit.pose.centre - shifts[epoch])
+
     def moved_far(self, epoch: int, shifts: FloatArray) -> bool:
         """Whether it moved by a good part of its height into this epoch, beyond the (e, 3) ``shifts`` of whole clouds."""
         before = [e for e in self.seen if e < epoch]
@@ -110,8 +127,8 @@ def join_relocated(
                 parted[k] = later, whole
                 followed[k], followed[later] = whole.until(epoch, len(shifts)), whole.since(epoch)
         pairs = _recognised(
-            {k: f.seen[max(f.seen)] for k, f in followed.items() if max(f.seen) < epoch},
-            {k: f.seen[epoch] for k, f in followed.items() if min(f.seen) == epoch},
+            {k: f.sighting(max(f.seen), shifts) for k, f in followed.items() if max(f.seen) < epoch},
+            {k: f.sighting(epoch, shifts) for k, f in followed.items() if min(f.seen) == epoch},
         )
         for old, new, symmetry in pairs:
             if old not in parted or parted[old][0] != new:
@@ -124,26 +141,38 @@ def join_relocated(
     return [f.track for f in followed.values()], [f.seen for f in followed.values()], [f.states for f in followed.values()]
 
 
-def _recognised(left: dict[int, FittedUnit], came: dict[int, FittedUnit]) -> list[tuple[int, int, FloatArray]]:
+def _recognised(left: dict[int, Sighting], came: dict[int, Sighting]) -> list[tuple[int, int, FloatArray]]:
     """Pairs of a unit that left its place and one that came to another, proved by their relief, with the symmetry of the second."""
-    if not left or not came:
-        return []
+    near = _within_reach(left, came)
     found = []
-    lost, arrived = (by_home((k, (s.cloud,)) for k, s in units.items()) for units in (left, came))
+    lost, arrived = (by_home((k, (s.unit.cloud,)) for k, s in units.items()) for units in (left, came))
     for first in range(0, len(lost), RELIEFS_HELD):
-        reliefs = {old: _relief_of(left[old]) for old in lost[first : first + RELIEFS_HELD]}
+        batch = lost[first : first + RELIEFS_HELD]
+        reliefs = {old: _relief_of(left[old].unit) for old in batch if near[old]}
         for new in arrived:
-            relief = _relief_of(came[new])
-            for old in reliefs:
-                if left[old].kind == came[new].kind:
-                    match = likeness(reliefs[old], relief, left[old].shape)
-                    if match.same_unit:
-                        found.append((match.lead, old, new, match.symmetry))
+            around = [old for old in reliefs if new in near[old]]
+            if not around:
+                continue
+            relief = _relief_of(came[new].unit)
+            for old in around:
+                match = likeness(reliefs[old], relief, left[old].unit.shape)
+                if match.same_unit:
+                    found.append((match.lead, old, new, match.symmetry))
     pairs: list[tuple[int, int, FloatArray]] = []
     for _, old, new, symmetry in sorted(found, key=lambda item: -item[0]):
         if all(old != a and new != b for a, b, _ in pairs):
             pairs.append((old, new, symmetry))
     return pairs
+
+
+def _within_reach(left: dict[int, Sighting], came: dict[int, Sighting]) -> dict[int, frozenset[int]]:
+    """By unit that left its place, those of its kind that came to one it may have been carried to."""
+    if not left or not came:
+        return dict.fromkeys(left, frozenset())
+    numbers = list(came)
+    tree = cKDTree([came[k].place for k in numbers])
+    around = {k: tree.query_ball_point(s.place, CARRIED_HEIGHTS * s.unit.shape.height) for k, s in left.items()}
+    return {k: frozenset(numbers[i] for i in near if came[numbers[i]].unit.kind == left[k].unit.kind) for k, near in around.items()}
 
 
 def _relief_of(unit: FittedUnit) -> Texture:

@@ -10,6 +10,7 @@ order of the relief (terrestrial scans); where the noise drowns it, it recognise
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +44,11 @@ class Texture:
 
     points: FloatArray
     heights: FloatArray
+
+    @cached_property
+    def tree(self) -> cKDTree:
+        """Of the points: one sighting is compared with many."""
+        return cKDTree(self.points)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,10 +96,9 @@ def likeness(first: Texture, second: Texture, unit: UnitType) -> Likeness:
         return Likeness(np.eye(3), 0.0, 0.0)
     step = max(1, len(second.points) // MAX_POINTS)
     points, heights = second.points[::step], second.heights[::step]
-    tree = cKDTree(first.points)
     correlations, pairs, judged = [], [], []
     for number, symmetry in enumerate(unit.symmetries):
-        away, nearest = tree.query(points @ symmetry, distance_upper_bound=REACH_HEIGHTS * unit.height)
+        away, nearest = first.tree.query(points @ symmetry, distance_upper_bound=REACH_HEIGHTS * unit.height)
         near = np.isfinite(away)
         if near.sum() < MIN_PAIRS:
             continue

@@ -13,7 +13,7 @@ from synthetic_units import ALL_DISCS, UNIT
 from tetratrack.core.deformation import relocation
 from tetratrack.core.deformation.fitted_unit import FittedUnit
 from tetratrack.core.deformation.identity import Track
-from tetratrack.core.deformation.relocation import Followed
+from tetratrack.core.deformation.relocation import CARRIED_HEIGHTS, Followed, join_relocated
 from tetratrack.core.deformation.surface_texture import Likeness, likeness, texture
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
 from tetratrack.core.deformation.tracking import Tracking, track
@@ -167,3 +167,40 @@ def test_a_shift_of_the_whole_cloud_compares_no_reliefs(monkeypatch: pytest.Monk
 def test_nothing_is_joined_where_noise_drowns_the_relief() -> None:
     result, _, _ = tracked(0.02)
     assert not any(state.status == "relocated" for states in result.units for state in states.values())
+
+
+def compared_along(monkeypatch: pytest.MonkeyPatch, units: int) -> list[tuple[float, float]]:
+    """Places along a coast, in heights, of units whose reliefs are compared: every two heights one is lost, and another came beside it."""
+    compared = []
+
+    def noted(first: float, second: float, unit: object) -> Likeness:
+        compared.append((first, second))
+        return Likeness(np.eye(3), 0.0, 0.0)
+
+    monkeypatch.setattr(relocation, "_relief_of", lambda unit: unit.pose.centre[0] / UNIT.height)
+    monkeypatch.setattr(relocation, "likeness", noted)
+    tracks, seen = [], []
+    shifts = np.array([[0.0, 0, 0], [500.0, 0, 0]])
+    for k in range(units):
+        pose = Pose(np.array([2.0 * k * UNIT.height, 0, 0]), np.eye(3))
+        for epoch in (0, 1):
+            cloud = UnitCloud.held(np.empty((0, 3)), np.empty(0, dtype=np.int64))
+            unit = FittedUnit(
+                pose=pose.shifted(shifts[epoch]), shape=UNIT, kind=0, certain=True, discs=ALL_DISCS, cloud=cloud
+            )  # fmt: skip
+            tracks.append(Track({epoch: k}, {epoch: np.eye(3)}, frozenset(), 0))
+            seen.append({epoch: unit})
+    states: list[dict[int, str]] = [{} for _ in tracks]
+    kept, _, _ = join_relocated(tracks, seen, states, shifts)
+    assert len(kept) == 2 * units
+    return [(first, second - 500.0 / UNIT.height) for first, second in compared]
+
+
+def test_reliefs_are_compared_as_far_as_units_are_carried_and_no_further(monkeypatch: pytest.MonkeyPatch) -> None:
+    short, long = (compared_along(monkeypatch, units) for units in (200, 400))
+    within = int(CARRIED_HEIGHTS) // 2 * 2
+    assert max(abs(first - second) for first, second in long) == pytest.approx(within, abs=1e-6)
+    assert len(short) > 200 * within * 0.9
+    # what grows faster than the coast would be four times as much
+    assert len(long) < 2.1 * len(short)
+    assert len(set(long)) == len(long)
