@@ -15,12 +15,12 @@ from .assembly import poses_from_pairs, poses_from_single_legs
 from .conic_ransac import find_legs
 from .pose_evidence import NUMBER_OF_CELLS, evidence
 from .pose_refinement import refine
-from .pose_score import TypicalUnit, is_sparse, score, score_among, typical_unit
+from .pose_score import SPARSE, SURE_ALONE, TypicalUnit, is_sparse, score, score_among, typical_unit
 from .scene import COLUMNS, Evidence, Scene
 from .smoothed_surface import NOISY_RATIO, smoothed
 from .surface_elements import SurfaceElements, surface_elements
 from .twist import settle_twists
-from .verification import distinct, overlap, select
+from .verification import FEWEST_CELLS, distinct, overlap, select
 from .whole_unit_search import poses_about_elements
 
 Status = Literal["found", "uncertain"]
@@ -47,6 +47,8 @@ CHANCE_SCORE = 0.2
 FEWEST_FOUND_CELLS = 8
 """Cells of the surface, of 132, on fewer of which no pose is stated as found by one cloud alone: two of ten such poses of simulated surveys
 were rock that fits by chance, one of 1980 others was. Where another epoch shows the unit, that makes it found."""
+ELEMENTS_OF_DENSE_CELL = 18.0
+"""Supporting elements per cell of sure units in the clouds on which these were counted; see :func:`fewest_found_cells`."""
 MOST_INTERPENETRATION = 0.01
 """Share of its volume by which the weaker of two units may enter the stronger and still be stated as found."""
 
@@ -242,6 +244,7 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
         for j in stronger[np.sum((poses[stronger, :3] - poses[k, :3]) ** 2, axis=1) < (2 * unit.reach) ** 2]:
             shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
     entered = shared > MOST_INTERPENETRATION
+    fewest = fewest_found_cells(seen, found, judged.typical)
     kept = np.flatnonzero((found >= LISTED_EVIDENCE) & (scores >= LISTED_SCORE))
     stated = poses[kept]
     if elements.smoothed:
@@ -254,7 +257,7 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
             score=float(scores[k]),
             coverage=float(seen.cells[k] / NUMBER_OF_CELLS),
             legs_visible=int(seen.legs[k]),
-            status="found" if scores[k] >= FOUND_SCORE and seen.cells[k] >= FEWEST_FOUND_CELLS and not entered[k] else "uncertain",
+            status="found" if scores[k] >= FOUND_SCORE and seen.cells[k] >= fewest and not entered[k] else "uncertain",
             misfit=float(seen.misfit[k]),
             interpenetration=float(shared[k]),
             supported=float(seen.support[k] / max(seen.reached[k], 1)),
@@ -264,6 +267,21 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
     window = max(LABEL_NOISE * elements.noise, min(LABEL_TOLERANCES * tolerance, MOST_LABEL_RATIO * unit.height))
     labels, _ = assign(points, stated, unit, window, clearance=clearance(elements.noise, unit.height))
     return Segmentation(units=units, labels=labels, spacing=elements.spacing, noise=elements.noise, tolerance=tolerance)
+
+
+def fewest_found_cells(seen: Evidence, scores: FloatArray, typical: TypicalUnit) -> int:
+    """Cells of the surface on fewer of which no pose of a cloud is found, from the evidence for its poses and their (k,) scores.
+
+    A cell counts with two elements, so that the same patch counts fewer cells in a sparser cloud. What is kept out must stay the same
+    patches: of the cells that chance poses of 5 to 12 count in dense clouds, 0.75, 0.53 and 0.33 are left where as much is taken from these
+    that the cells of sure units hold 0.69, 0.47 and 0.32 of their elements. The limit goes in that proportion, rounded up, but not below
+    what makes a candidate. Without a sure unit nothing tells what a cell can hold, and the limit stays.
+    """
+    sure = seen[scores >= SURE_ALONE]
+    if typical.model is not SPARSE or not np.any(sure.cells):
+        return FEWEST_FOUND_CELLS
+    held = np.sum(sure.support) / np.sum(sure.cells)
+    return int(np.clip(np.ceil(FEWEST_FOUND_CELLS * held / ELEMENTS_OF_DENSE_CELL), FEWEST_CELLS, FEWEST_FOUND_CELLS))
 
 
 def clearance(noise: float, height: float) -> float:

@@ -18,11 +18,11 @@ from tetratrack.core.segmentation.assembly import poses_from_pairs
 from tetratrack.core.segmentation.conic_ransac import find_legs
 from tetratrack.core.segmentation.pose_evidence import evidence
 from tetratrack.core.segmentation.pose_refinement import refine
-from tetratrack.core.segmentation.pose_score import TypicalUnit, score
+from tetratrack.core.segmentation.pose_score import NOISY, RICH, SMOOTHED, SPARSE, ScoreModel, TypicalUnit, score
 from tetratrack.core.segmentation.scene import Evidence, Scene
-from tetratrack.core.segmentation.segment import FOUND_SCORE, segment
+from tetratrack.core.segmentation.segment import FEWEST_FOUND_CELLS, FOUND_SCORE, fewest_found_cells, segment
 from tetratrack.core.segmentation.surface_elements import surface_elements
-from tetratrack.core.segmentation.verification import overlap
+from tetratrack.core.segmentation.verification import FEWEST_CELLS, overlap
 from tetratrack.core.simulation.sampled_unit import interlocked_rows
 
 UNIT = UnitType.tetrapod(2.3)
@@ -279,3 +279,24 @@ def test_blurred_normals_at_creases_of_a_sparse_cloud_do_not_speak_against_a_uni
     radius, allowed, counted = judged(40_000, 0.005)
     assert radius < 0.07
     np.testing.assert_array_equal(allowed.table, counted.table)
+
+
+def units_of(per_cell: float, cells: float = 40.0) -> Evidence:
+    """Two poses on as many elements per cell of the surface."""
+    return Evidence(np.array([[per_cell * cells, per_cell * cells, 0.0, cells, 4.0, 0.01, per_cell * cells]] * 2))
+
+
+@pytest.mark.parametrize(("per_cell", "fewest"), [(18.5, 8), (18.0, 8), (12.6, 6), (8.7, FEWEST_CELLS), (3.0, FEWEST_CELLS)])
+def test_the_fewest_cells_of_a_found_unit_go_with_what_cells_hold_in_a_sparse_cloud(per_cell: float, fewest: int):
+    sparse = TypicalUnit(0.01, 1.0, model=SPARSE)
+    assert fewest_found_cells(units_of(per_cell), np.array([0.95, 0.95]), sparse) == fewest
+    # what is not sure does not tell what a cell can hold
+    both = Evidence.joined([units_of(per_cell), units_of(1.0)])
+    assert fewest_found_cells(both, np.array([0.95, 0.95, 0.7, 0.7]), sparse) == fewest
+    assert fewest_found_cells(units_of(per_cell), np.array([0.8, 0.8]), sparse) == FEWEST_FOUND_CELLS
+    assert fewest_found_cells(Evidence.joined([]), np.zeros(0), sparse) == FEWEST_FOUND_CELLS
+
+
+@pytest.mark.parametrize("model", [RICH, NOISY, SMOOTHED])
+def test_the_fewest_cells_stay_where_the_number_of_points_is_not_what_limits(model: ScoreModel):
+    assert fewest_found_cells(units_of(8.7), np.array([0.95, 0.95]), TypicalUnit(0.01, 1.0, model=model)) == FEWEST_FOUND_CELLS
