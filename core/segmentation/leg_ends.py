@@ -168,10 +168,12 @@ class LegView:
         unit, own = self.unit, self.leg == leg
         on_side = own & (np.abs(self.outside) < self.tolerance)
         shaft = self._by_sector(on_side, SHAFT)
-        sides = shaft >= LEAST_POINTS
-        if not sides.any():
+        sided = bool((shaft >= LEAST_POINTS).any())
+        # a leg that points at the sensor hides its sides and shows its face: the other legs tell how densely it is sampled
+        densities = [self._density(self._shaft(k)) for k in ([leg] if sided else range(4))]
+        if not any(densities):
             return math.nan, 0.0
-        density = float(np.median(shaft[sides])) / self._area(SHAFT)
+        density = float(np.median([d for d in densities if d > 0]))
         section = math.pi * (unit.end_radius - self.depth) ** 2
         inside = own & (self.outside < -self.depth) & (self.along > FACE[0]) & (self.along < FACE[1])
         inside &= self.axial < unit.leg_length - self.depth
@@ -182,6 +184,8 @@ class LegView:
         if face:
             odds = PRIOR_ODDS + INDEPENDENT * (_support(face, density * section) - _support(disc, density * section))
             return odds, float(np.median(self.axial[inside]))
+        if not sided:
+            return math.nan, 0.0
         # a side that stops may lie in the shadow of a neighbour: it proves nothing, one that goes on does; one that goes on to the tip and
         # stops there may end where the leg breaks
         tip, end = (INDEPENDENT * self._side_support(on_side, part, shaft) for part in (TIP, END))
@@ -227,6 +231,11 @@ class LegView:
 
     def _shaft(self, leg: int) -> FloatArray:
         return self._by_sector((self.leg == leg) & (np.abs(self.outside) < self.tolerance), SHAFT)
+
+    def _density(self, shaft: FloatArray) -> float:
+        """Points a square metre of a leg's side, of (SECTORS,) points of its shaft; 0 where it is not seen."""
+        sides = shaft >= LEAST_POINTS
+        return float(np.median(shaft[sides])) / self._area(SHAFT) if sides.any() else 0.0
 
     def _by_sector(self, which: BoolArray, part: tuple[float, float]) -> FloatArray:
         chosen = which & (self.along > part[0]) & (self.along < part[1])

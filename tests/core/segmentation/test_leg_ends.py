@@ -35,6 +35,16 @@ def test_a_broken_leg_is_named_with_what_is_missing(share: float) -> None:
     assert float(str(row["leg_probability"])) > 0.95
 
 
+def test_a_leg_that_shows_its_face_only_is_broken_and_its_end_only_is_not_asked() -> None:
+    rng = np.random.default_rng(9)
+    for share, state in ((0.7, BROKEN), (1.0, UNSEEN)):
+        points = unit_with_break(share, rng)
+        lean = points @ UNIT.leg_directions.T
+        at_end = np.abs(lean[:, 2] - share * UNIT.leg_length) < 0.01
+        hidden = (np.argmax(lean, axis=1) == 2) & (lean[:, 2] > 0.3 * UNIT.leg_length) & ~at_end
+        assert leg_ends(LegView(points[~hidden], UNIT, 0.004)).states.tolist() == [WHOLE, WHOLE, state, WHOLE]
+
+
 def test_noise_and_strays_break_no_leg() -> None:
     rng = np.random.default_rng(6)
     for noise in (0.004, 0.02):
