@@ -361,6 +361,9 @@ def simulate(
     leg_length: LegLength = None,
     opening: Opening = "tetrahedral",
     castings: Annotated[bool, typer.Option("--castings", help="Units differ from ideal cones as real castings do")] = False,
+    bridging: Annotated[
+        float, typer.Option("--bridging", min=0, help="Photogrammetry: radius of the narrowest hollow it follows, metres; 0: all")
+    ] = 0.0,
     other_views: Annotated[bool, typer.Option("--other-views", help="Later epochs are seen from other lines or stations")] = False,
     bend: Annotated[float, typer.Option("--bend", min=0, help="Bend of every epoch along the site, metres rms per coordinate")] = 0.0,
     drift: Annotated[float, typer.Option("--drift", min=0, help="Bend of every strip or station for itself, metres rms")] = 0.0,
@@ -391,7 +394,7 @@ def simulate(
         )
         plan = plan_of(
             instrument, name, nominal, units=units, epochs=epochs, seed=seed, density=density or None, noise=noise or None, crs=crs,
-            castings=castings, other_views=other_views,
+            castings=castings, bridging=bridging, other_views=other_views,
             frame=FrameErrors(bend=bend, drift=drift, bowl=bowl, shortest=wave_lengths[0], longest=wave_lengths[1]),
             length=length, targets_every=targets_every, slide=slide,
         )  # fmt: skip

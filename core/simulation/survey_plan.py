@@ -58,6 +58,8 @@ class SimulationPlan:
         ``tetrahedral``, or ``paper`` (120 degrees between leg 1 and the others).
     castings
         Units differ from the ideal cones as real castings do.
+    bridging
+        Radius in metres of the narrowest hollow that the matching of images follows; 0 where it follows all. Photogrammetry only.
     other_views
         Later epochs are flown along other lines, or scanned from other stations.
     frame
@@ -90,6 +92,7 @@ class SimulationPlan:
     leg_length: float | None = None
     opening: Opening = "tetrahedral"
     castings: bool = False
+    bridging: float = 0.0
     other_views: bool = False
     frame: FrameErrors = RIGID
     length: float = 0.0
@@ -115,7 +118,7 @@ class SimulationPlan:
                 raise InputError(
                     f"{field} must be a positive number, got {value!r}", where=field, remedy="Leave it out for the instrument's own."
                 )
-        for field in ("length", "targets_every", "slide"):
+        for field in ("length", "targets_every", "slide", "bridging"):
             value = getattr(self, field)
             if not math.isfinite(value) or value < 0:
                 raise InputError(f"{field} must be 0 or a positive number, got {value!r}", where=field, remedy="Correct the number.")
@@ -151,6 +154,7 @@ def plan_of(
     noise: float | None = None,
     crs: str = SimulationPlan.crs,
     castings: bool = False,
+    bridging: float = 0.0,
     other_views: bool = False,
     frame: FrameErrors = RIGID,
     length: float = 0.0,
@@ -176,5 +180,5 @@ def plan_of(
         )
     return replace(
         base, units=base.units if units is None else units, epochs=epochs, seed=seed, density=density, noise=noise,
-        castings=castings, other_views=other_views, frame=frame, length=length, targets_every=targets_every, slide=slide,
+        castings=castings, bridging=bridging, other_views=other_views, frame=frame, length=length, targets_every=targets_every, slide=slide,
     )  # fmt: skip

@@ -105,7 +105,7 @@ class Simulation:
         self._write_toml()
 
     def _surfaces(self) -> Surfaces:
-        return replace(self.instrument.surfaces, castings=self.plan.castings)
+        return replace(self.instrument.surfaces, castings=self.plan.castings, bridging=self.plan.bridging)
 
     def _scanned(self, scene: Scene, rng: np.random.Generator, offset: float, epoch: int, views: np.random.Generator) -> Returns:
         """The instrument's points of a scene; ``views`` draws other lines or stations of later epochs."""

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ..common.arrays import FloatArray, IntArray
 from .armour_pile import Site
+from .smoothing_matcher import MatchedView
 from .virtual_scene import OUTLIER, REFERENCE_HEIGHT, ROCK, WATER, Scene, smooth_field, unit_vectors
 
 
@@ -138,7 +139,10 @@ def survey_tls(
 def survey_photogrammetry(
     scene: Scene, rng: np.random.Generator, *, density: float, noise: float, offset: float, views: np.random.Generator | None = None
 ) -> Returns:
-    """Dense matching from a block of nadir and oblique images: correlated error, smoothed creases, holes where one image alone sees."""
+    """Dense matching from a block of nadir and oblique images: correlated error, smoothed creases, holes where one image alone sees.
+
+    Where the surfaces say so, narrow hollows are bridged.
+    """
     del offset  # one adjusted block has no strips
     site, length = _site_of(scene)
     h = scene.unit.height / REFERENCE_HEIGHT
@@ -158,7 +162,9 @@ def survey_photogrammetry(
         aim[:, :2] += rng.uniform(-0.4, 0.4, (len(aim), 2)) * cell
         directions = unit_vectors(aim - origin)
         origins = np.broadcast_to(origin, directions.shape)
-        seen = _measure(scene, origins, directions, rng, noise=0.0, footprint=0.0004, second_returns=False, source=k + 1, shift=np.zeros(3))
+        bridging = scene.surfaces.bridging
+        shown = MatchedView(scene, origin, aim, bridging, 0.75 * cell) if bridging > 0 else scene
+        seen = _measure(shown, origins, directions, rng, noise=0.0, footprint=0.0004, second_returns=False, source=k + 1, shift=np.zeros(3))
         seen = seen.chosen(_thin(seen.points, cell, rng))
         seen_by.append(seen)
         cells.append(np.unique(_keys(seen.points, 3 * cell)))
@@ -202,7 +208,7 @@ def survey_depth_camera(
 
 
 def _measure(
-    scene: Scene,
+    scene: Scene | MatchedView,
     origins: FloatArray,
     directions: FloatArray,
     rng: np.random.Generator,

@@ -40,6 +40,8 @@ class Surfaces:
         Share of the units at the water line that carry patches of growth.
     castings
         Whether units differ from the ideal cones as real castings do (:mod:`.castings`).
+    bridging
+        Radius of the narrowest hollow that image matching follows; 0 where it follows all (:mod:`.smoothing_matcher`).
     """
 
     roughness: float
@@ -47,6 +49,7 @@ class Surfaces:
     chamfer: float
     growth: float
     castings: bool = False
+    bridging: float = 0.0
 
 
 class Scene:

@@ -1,0 +1,68 @@
+"""Image matching bridges narrow hollows, and nothing else."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from tetratrack.core.common.errors import InputError
+from tetratrack.core.simulation.smoothing_matcher import MatchedView, closed
+from tetratrack.core.simulation.survey_plan import SimulationPlan
+
+SPACING = 0.02
+X, Y = np.meshgrid(np.arange(-1, 1, SPACING), np.arange(-1, 1, SPACING), indexing="ij")
+
+
+def test_a_gap_sinks_by_the_sagitta_of_the_paraboloid_and_its_rims_stay() -> None:
+    """Between rims a distance w apart a paraboloid of radius R hangs down by w squared over 8 R."""
+    half, radius = 0.2, 0.5
+    surface = np.where(np.abs(X) < half - 1e-9, -1.0, 0.0)
+    filled = closed(surface, radius, SPACING)
+    middle = np.argmin(np.abs(X[:, 0]))
+    assert filled[middle] == pytest.approx(-(half**2) / (2 * radius))
+    assert np.array_equal(filled[np.abs(X) >= half - 1e-9], surface[np.abs(X) >= half - 1e-9])
+
+
+def test_convex_and_wide_hollow_surfaces_stay_also_where_they_are_tilted() -> None:
+    radius = 0.3
+    for surface in (-(X**2 + Y**2) / 0.4, (X**2 + Y**2) / (4 * radius), -np.hypot(X, Y)):
+        for tilt in (0.0, 0.4):
+            tilted = surface + tilt * (X + 0.5 * Y)
+            inner = (np.abs(X) < 0.3) & (np.abs(Y) < 0.3)
+            # the paraboloid touches at pixels only
+            assert closed(tilted, radius, SPACING)[inner] == pytest.approx(tilted[inner], abs=SPACING**2 / radius)
+
+
+def test_a_hollow_narrower_than_the_paraboloid_is_filled_to_its_surface() -> None:
+    groove = X**2 / (2 * 0.1)
+    filled = closed(np.minimum(groove, 0.1), 0.4, SPACING)
+    assert (filled - np.minimum(groove, 0.1)).max() > 0.02
+    assert (filled >= np.minimum(groove, 0.1)).all()
+
+
+def test_a_radius_below_nought_is_refused() -> None:
+    with pytest.raises(InputError, match="bridging"):
+        SimulationPlan("s", "photogrammetry", bridging=-0.1)
+
+
+class _Floor:
+    """Two blocks with a gap of 0.2 m between them, seen from above: tops at height 0, floor at -1."""
+
+    unit = site = None
+
+    def cast(self, origins: np.ndarray, directions: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        top = -origins[:, 2] / directions[:, 2]
+        gap = np.abs(origins[:, 0] + top * directions[:, 0]) < 0.1
+        return np.where(gap, (-1 - origins[:, 2]) / directions[:, 2], top), np.ones(len(top), dtype=np.int64), -directions[:, 2]
+
+
+def test_an_image_shows_a_gap_bridged_and_the_rest_where_it_is() -> None:
+    camera = np.array([0.0, 0.0, 20.0])
+    aims = np.column_stack([X.ravel(), Y.ravel(), np.zeros(X.size)])
+    directions = aims - camera
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    origins = np.broadcast_to(camera, directions.shape)
+    distance, _, _ = MatchedView(_Floor(), camera, aims, 0.3, SPACING).cast(origins, directions)  # type: ignore[arg-type]
+    height = (origins + distance[:, None] * directions)[:, 2].reshape(X.shape)
+    inner = np.abs(Y) < 0.6
+    assert height[inner & (np.abs(X) > 0.15) & (np.abs(X) < 0.6)] == pytest.approx(0.0, abs=1e-3)
+    assert height[inner & (np.abs(X) < 0.03)] == pytest.approx(-(0.1**2) / 0.6, abs=0.01)
