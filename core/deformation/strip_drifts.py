@@ -110,15 +110,27 @@ class UnitEquations:
     unit
         Its number among the knots' units.
     strips
-        (t,) numbers of the strips.
-    normal, rhs
-        (3 t, 3 t), (3 t,) reduced normal equations of their offsets.
+        (t,) numbers of the strips, ascending.
+    upper, rhs
+        Upper half of the (3 t, 3 t) matrix, row by row, and (3 t,) right-hand side of the reduced normal equations of their offsets.
     """
 
     unit: int
     strips: IntArray
-    normal: FloatArray
+    upper: FloatArray
     rhs: FloatArray
+
+    @property
+    def normal(self) -> FloatArray:
+        """(3 t, 3 t) reduced normal matrix."""
+        return symmetric(self.upper, len(self.rhs))
+
+
+def symmetric(upper: FloatArray, size: int) -> FloatArray:
+    """Symmetric matrix of which half is kept: one a unit stays in memory."""
+    full = np.zeros((size, size))
+    full[np.triu_indices(size)] = upper
+    return np.asarray(full + np.triu(full, 1).T)
 
 
 class DriftSystem:
@@ -136,22 +148,43 @@ class DriftSystem:
         self.places = places
         self.size = 3 * self.strips * knots.count
         self.strip_epoch, self.weak_sd = strip_epoch, weak_sd
-        rows, columns, values = [], [], []
         self.rhs = np.zeros(self.size)
         seen = np.zeros((knots.count, self.strips))
+        spans: dict[int, list[UnitEquations]] = {}
         for own in equations:
-            around = knots.weights(own.unit)
-            for k, w in around:
+            spans.setdefault(int(knots.first[own.unit]), []).append(own)
+            for k, w in knots.weights(own.unit):
                 self.rhs[self.columns(k, own.strips)] += w * own.rhs
                 seen[k, own.strips] += w
-                for m, v in around:
-                    i, j = np.meshgrid(self.columns(k, own.strips), self.columns(m, own.strips), indexing="ij")
-                    rows.append(i.ravel())
-                    columns.append(j.ravel())
-                    values.append((w * v * own.normal).ravel())
-        index = (np.concatenate(rows), np.concatenate(columns)) if rows else (np.zeros(0, int), np.zeros(0, int))
-        self.normal = csc_array(coo_array((np.concatenate(values) if values else np.zeros(0), index), shape=(self.size, self.size)))
+        self.seen = {k: np.unique(np.concatenate([own.strips for own in members])) for k, members in sorted(spans.items())}
+        index, values = [np.zeros((2, 0), dtype=np.int64)], [np.zeros(0)]
+        for k, strips in self.seen.items():
+            block = self._between(spans[k], strips)
+            around = self._around(k, strips)
+            index.append(np.stack([np.repeat(around, len(around)), np.tile(around, len(around))]))
+            values.append(block.ravel())
+        where = np.hstack(index)
+        self.normal = csc_array(coo_array((np.concatenate(values), (where[0], where[1])), shape=(self.size, self.size)))
         self.gauge = self._gauge(seen)
+
+    def _between(self, members: Sequence[UnitEquations], strips: IntArray) -> FloatArray:
+        """(6 t, 6 t) normal matrix of t strips at two knots that follow each other, of all units between these.
+
+        Units are added up before they go into the sparse matrix: their own entries are a hundred times as many as those of the sum.
+        """
+        half = 3 * len(strips)
+        total = np.zeros((2 * half, 2 * half))
+        for own in members:
+            local = (3 * np.searchsorted(strips, own.strips)[:, None] + np.arange(3)).ravel()
+            normal = own.normal
+            for i, (_, w) in enumerate(self.knots.weights(own.unit)):
+                for j, (_, v) in enumerate(self.knots.weights(own.unit)):
+                    total[np.ix_(i * half + local, j * half + local)] += w * v * normal
+        return total
+
+    def _around(self, knot: int, strips: IntArray) -> IntArray:
+        """Unknowns of some strips at a knot and at the one after it."""
+        return np.concatenate([self.columns(knot, strips), self.columns(knot + 1, strips)])
 
     def columns(self, knot: int, strips: IntArray) -> IntArray:
         """Unknowns of some strips at a knot."""
@@ -159,17 +192,18 @@ class DriftSystem:
 
     def _gauge(self, seen: FloatArray) -> csc_array:
         """Condition that the strips of an epoch that are seen at a knot drift by zero in the mean, weighted by how much of them is seen."""
-        rows: list[FloatArray] = []
+        rows, columns, values = [], [], []
         strong = GAUGE_WEIGHT / float(np.median(self.weak_sd)) ** 2
+        epochs = [np.flatnonzero(self.strip_epoch == epoch) for epoch in np.unique(self.strip_epoch)]
         for knot in range(self.knots.count):
-            for epoch in np.unique(self.strip_epoch):
-                own = np.flatnonzero(self.strip_epoch == epoch)
+            for number, own in enumerate(epochs):
                 total = seen[knot, own].sum()
                 share = seen[knot, own] / total if total > 0 else np.full(len(own), 1 / len(own))
-                row = np.zeros(self.knots.count * self.strips)
-                row[knot * self.strips + own] = share
-                rows.append(row)
-        matrix = csc_array(np.array(rows))
+                rows.append(np.full(len(own), knot * len(epochs) + number))
+                columns.append(knot * self.strips + own)
+                values.append(share)
+        shape = (self.knots.count * len(epochs), self.knots.count * self.strips)
+        matrix = csc_array(coo_array((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=shape))
         return csc_array(kron(strong * (matrix.T @ matrix), eye_array(3)))
 
     def prior(self, rate: float) -> csc_array:
@@ -201,27 +235,30 @@ class DriftSystem:
         return change.reshape(self.knots.count, self.strips, 3), factor
 
     def cofactors(self, factor: SuperLU) -> dict[int, FloatArray]:
-        """Covariance of all strips at the knots ``k`` and ``k + 1``, by ``k`` before any unit; (6 s, 6 s) each."""
+        """Covariance of the ``seen`` strips at the knots ``k`` and ``k + 1``, by ``k`` before any unit; (6 t, 6 t) each."""
         found = {}
-        strips = np.arange(self.strips)
-        for k in np.unique(self.knots.first):
-            columns = np.concatenate([self.columns(int(k), strips), self.columns(int(k) + 1, strips)])
+        for k, strips in self.seen.items():
+            columns = self._around(k, strips)
             unit = np.zeros((self.size, len(columns)))
             unit[columns, np.arange(len(columns))] = 1
-            found[int(k)] = np.asarray(factor.solve(unit)[columns])
+            found[k] = np.asarray(factor.solve(unit)[columns])
         return found
 
     def mean_sds(self, cofactors: Mapping[int, FloatArray]) -> FloatArray:
-        """(s, 3) root mean variance of every strip over the knots."""
-        variances = np.mean([np.diag(c)[: 3 * self.strips] for c in cofactors.values()], axis=0)
-        return np.asarray(np.sqrt(variances).reshape(-1, 3), dtype=np.float64)
+        """(s, 3) root mean variance of every strip over the knots before units that see it."""
+        total, count = np.zeros((self.strips, 3)), np.zeros((self.strips, 1))
+        for k, strips in self.seen.items():
+            total[strips] += np.diag(cofactors[k])[: 3 * len(strips)].reshape(-1, 3)
+            count[strips] += 1
+        return np.asarray(np.sqrt(total / count), dtype=np.float64)
 
     def lever(self, unit: int, strips: IntArray) -> FloatArray:
-        """(3 t, 6 s) weights of the unknowns at the two knots around a unit in the drifts of some strips at its place."""
-        rows = np.zeros((3 * len(strips), 6 * self.strips))
+        """(3 t, 6 s) weights of the ``seen`` strips at the two knots around a unit in the drifts of some strips at its place."""
+        seen = self.seen[int(self.knots.first[unit])]
+        rows = np.zeros((3 * len(strips), 6 * len(seen)))
         for side, (_, weight) in enumerate(self.knots.weights(unit)):
-            for t, strip in enumerate(strips):
-                start = 3 * (side * self.strips + int(strip))
+            for t, place in enumerate(np.searchsorted(seen, strips)):
+                start = 3 * (side * len(seen) + int(place))
                 rows[3 * t : 3 * t + 3, start : start + 3] = weight * np.eye(3)
         return rows
 

@@ -293,7 +293,7 @@ class _JointSolver:
 
     def drift_system(self, knots: Knots, blocks: Mapping[int, UnitBlock]) -> DriftSystem:
         equations = [
-            UnitEquations(unit=self.place_of[unit], strips=b.strips, normal=b.strip_normal, rhs=b.strip_rhs) for unit, b in blocks.items()
+            UnitEquations(unit=self.place_of[unit], strips=b.strips, upper=b.strip_upper, rhs=b.strip_rhs) for unit, b in blocks.items()
         ]
         return DriftSystem(knots, self.strip_epoch, equations, 1 / np.sqrt(self.offset_prior()[::3]), self.place_of)
 

@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 
 from ..common.arrays import FloatArray, IntArray
-from .strip_drifts import GAUGE_WEIGHT, DriftSystem
+from .strip_drifts import GAUGE_WEIGHT, DriftSystem, symmetric
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -32,13 +32,6 @@ class UnitBlock:
     def strip_normal(self) -> FloatArray:
         """(3 t, 3 t) what is left for the strips."""
         return symmetric(self.strip_upper, len(self.strip_rhs))
-
-
-def symmetric(upper: FloatArray, size: int) -> FloatArray:
-    """Symmetric matrix of which half is kept: one a unit stays in memory."""
-    full = np.zeros((size, size))
-    full[np.triu_indices(size)] = upper
-    return np.asarray(full + np.triu(full, 1).T)
 
 
 @dataclass(eq=False, kw_only=True)

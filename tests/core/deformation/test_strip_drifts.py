@@ -1,0 +1,91 @@
+"""Normal equations of strips that drift: the sum of what units say, in a memory that follows the strips and not the units."""
+
+from __future__ import annotations
+
+import tracemalloc
+
+import numpy as np
+import pytest
+from tetratrack.core.deformation.strip_drifts import DriftSystem, Knots, UnitEquations
+
+HEIGHT, STRIPS = 2.3, 12
+AXIS = (1.0, 0.0)
+
+
+def coast(units: int, length: float, reach: int = STRIPS) -> tuple[Knots, list[UnitEquations]]:
+    """Units along ``length`` metres, each seen by some strips out of ``reach`` that follow each other."""
+    rng = np.random.default_rng(units)
+    along = np.sort(rng.uniform(0, length, units))
+    along[[0, -1]] = 0, length
+    knots = Knots.along(np.column_stack([along, np.zeros((units, 2))]), AXIS, HEIGHT)
+    assert knots is not None
+    equations = []
+    for unit, place in enumerate(along):
+        first = round(place / length * (STRIPS - reach))
+        strips = np.sort(rng.permutation(np.arange(first, first + reach))[: max(reach - 2, 1)])
+        root = rng.normal(size=(3 * len(strips), 8)) / 0.01
+        equations.append(
+            UnitEquations(
+                unit=unit, strips=strips, upper=(root @ root.T)[np.triu_indices(len(root))], rhs=root @ rng.normal(size=8)
+            )
+        )  # fmt: skip
+    return knots, equations
+
+
+def system(knots: Knots, equations: list[UnitEquations]) -> DriftSystem:
+    epochs = np.repeat([0, 1], STRIPS // 2)
+    return DriftSystem(knots, epochs, equations, np.full(STRIPS, 0.02), {k: k for k in range(len(equations))})
+
+
+@pytest.mark.parametrize("reach", [STRIPS, 4])
+def test_every_unit_counts_between_its_two_knots(reach: int) -> None:
+    knots, equations = coast(60, 80.0, reach)
+    drifts = system(knots, equations)
+    total = np.zeros((drifts.size, drifts.size))
+    for own in equations:
+        rows = np.zeros((3 * len(own.strips), drifts.size))
+        for knot, weight in knots.weights(own.unit):
+            rows[np.arange(len(rows)), drifts.columns(knot, own.strips)] = weight
+        total += rows.T @ own.normal @ rows
+    assert drifts.normal.toarray() == pytest.approx(total, rel=1e-12, abs=1e-12 * np.abs(total).max())
+    assert drifts.gauge.toarray() == pytest.approx(drifts.gauge.toarray().T)
+
+
+@pytest.mark.parametrize("reach", [STRIPS, 4])
+def test_covariance_of_the_strips_that_see_a_unit_is_that_of_all_unknowns(reach: int) -> None:
+    knots, equations = coast(60, 80.0, reach)
+    drifts = system(knots, equations)
+    rate = 0.002
+    _, factor = drifts.solve(rate, np.zeros((knots.count, STRIPS, 3)))
+    whole = np.linalg.inv((drifts.normal + drifts.prior(rate)).toarray())
+    cofactors = drifts.cofactors(factor)
+    for own in equations[::7]:
+        rows = np.zeros((3 * len(own.strips), drifts.size))
+        for knot, weight in knots.weights(own.unit):
+            rows[np.arange(len(rows)), drifts.columns(knot, own.strips)] = weight
+        lever = drifts.lever(own.unit, own.strips)
+        covariance = lever @ cofactors[int(knots.first[own.unit])] @ lever.T
+        assert covariance == pytest.approx(rows @ whole @ rows.T, rel=1e-6, abs=1e-9 * np.abs(covariance).max())
+    assert drifts.mean_sds(cofactors).shape == (STRIPS, 3)
+
+
+def test_memory_follows_the_coast_and_not_the_units_on_it() -> None:
+    def peak(units: int) -> int:
+        knots, equations = coast(units, 80.0)
+        tracemalloc.start()
+        system(knots, equations)
+        try:
+            return tracemalloc.get_traced_memory()[1]
+        finally:
+            tracemalloc.stop()
+
+    few, many = peak(100), peak(400)
+    # one unit's own entries are 86 kB
+    assert (many - few) / 300 < 1000
+
+
+def test_strips_that_see_a_stretch_take_memory_there_alone() -> None:
+    wide, local = (system(*coast(200, 160.0, reach)) for reach in (STRIPS, 4))
+    assert local.normal.nnz < wide.normal.nnz / 4
+    _, factor = local.solve(0.002, np.zeros((local.knots.count, STRIPS, 3)))
+    assert max(len(c) for c in local.cofactors(factor).values()) <= 6 * 6
