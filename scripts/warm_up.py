@@ -24,8 +24,6 @@ from ..core.model.tetrapod import sample_surface
 from ..core.model.unit_types import UnitType
 from ..core.pipeline.run_options import RunOptions
 from ..core.pipeline.whole_survey import run_survey
-from ..core.segmentation.conic_ransac import find_legs
-from ..core.segmentation.scene import Scene
 from ..core.segmentation.smoothed_surface import smoothed
 from ..core.segmentation.surface_elements import surface_elements
 from ..core.simulation.survey_plan import plan_of
@@ -41,7 +39,7 @@ NOISE = 0.01
 def warm_up(feedback: Feedback) -> float:
     """Compile what runs need and keep it, in two processes; seconds that took.
 
-    The search for legs compiles aside while the survey is simulated, and the adjustment while its units are searched.
+    The adjustment compiles aside while the survey is simulated and its units are searched.
     """
     began = time.monotonic()
     aside = multiprocessing.get_context("spawn").Process(target=fit_a_unit, daemon=True)
@@ -59,20 +57,20 @@ def warm_up(feedback: Feedback) -> float:
 
 
 def fit_a_unit() -> None:
-    """Find the legs of a unit made up, and adjust it to points that are equally good, and to points with covariances of their own."""
+    """Adjust a unit made up to points that are equally good, and to points with covariances of their own.
+
+    By the time elements are formed here the survey's process has compiled that loop: none is compiled by both.
+    """
     rng = np.random.default_rng(1)
     unit = UnitType.tetrapod(2.3)
     points, _, _ = sample_surface(unit, POINTS, rng)
     points = points + rng.normal(0.0, NOISE, points.shape)
     start = Pose(np.full(3, 0.02), np.eye(3))
-    elements = surface_elements(points, unit.height, workers=1)
-    # the survey's noise is not so large that its elements are smoothed
-    smoothed(points, elements, unit.height)
-    scene = Scene.of(elements, unit, 2.5 * NOISE)
-    find_legs(scene, np.ones(len(scene.points), dtype=np.bool_), 0)
-    thin_a_cloud(points)
     for covariances in (None, np.tile(NOISE**2 * np.eye(3), (POINTS, 1, 1))):
         adjust(points, unit, start, options=AdjustmentOptions(radius_sd=0.01, gradient_sd=0.01), covariances=covariances)
+    # the survey's noise is not so large that its elements are smoothed
+    smoothed(points, surface_elements(points, unit.height, workers=1), unit.height)
+    thin_a_cloud(points)
 
 
 def thin_a_cloud(points: FloatArray) -> None:

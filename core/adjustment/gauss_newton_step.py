@@ -78,7 +78,8 @@ def _step(normal: Any, rhs: Any, free: Any, prior: Any, state: Any, change: Any)
         inner[a] /= factor[a, a]
         gain += along[a] * inner[a]
     change[:] = 0.0
-    change[chosen] = scaling[chosen] * inner
+    for a in range(m):
+        change[chosen[a]] = scaling[chosen[a]] * inner[a]
     longest = max(
         math.sqrt(change[0] ** 2 + change[1] ** 2 + change[2] ** 2) / (0.25 * nominal[0]),
         math.sqrt(change[3] ** 2 + change[4] ** 2 + change[5] ** 2) / 0.15,
@@ -88,7 +89,10 @@ def _step(normal: Any, rhs: Any, free: Any, prior: Any, state: Any, change: Any)
     )
     change /= longest
     centre += rotation @ change[:3]
-    rotation[:, :] = _turned(rotation, change[3:6])
+    turned = _turned(rotation, change[3:6])
+    for a in range(3):
+        for b in range(3):
+            rotation[a, b] = turned[a, b]
     shape += change[6:8]
     # a cone that closes before the end of its leg has no meaning
     shape[0] = max(shape[0], 0.2 * nominal[0])

@@ -244,7 +244,8 @@ def correlated_part(
     nothing = np.zeros((12, 12))
     if len(used) < LEAST_POINTS or psi <= 0:
         return nothing
-    chosen = used[:: math.ceil(len(used) / CORRELATION_SAMPLE)]
+    # in one piece, or the loop would be compiled for steps as well
+    chosen = np.ascontiguousarray(used[:: math.ceil(len(used) / CORRELATION_SAMPLE)])
     thinning = len(used) / len(chosen)
     u = scores / math.sqrt(float(np.mean(np.square(scores[chosen]))))
     sums, expected, counts = (np.zeros(len(LAGS) - 1) for _ in range(3))

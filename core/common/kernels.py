@@ -2,6 +2,9 @@
 
 Arrays in a compiled loop are made from tuples, ``np.array((x, y, z))``, never from lists: numba (0.68.1) rewrites lists in different
 branches under the same names, and then fails to compile, or not, by what else the process has compiled before.
+
+Arrays are assigned to parts of arrays element by element, and small systems are solved as in :mod:`.positive_definite`: an assignment of
+arrays, like `np.linalg.solve`, brings along the texts of numba's errors of shape, which take two to four seconds to compile.
 """
 
 from __future__ import annotations

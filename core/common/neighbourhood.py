@@ -109,7 +109,8 @@ def gather(points: Any, active: Any, middle: Any, reach: float, grid: Any, most:
                 if x * x + y * y + z * z <= limit:
                     if count == room:
                         wider = np.empty(2 * room, dtype=np.int64)
-                        wider[:room] = found
+                        for m in range(room):
+                            wider[m] = found[m]
                         found = wider
                         room *= 2
                     found[count] = q

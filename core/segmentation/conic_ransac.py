@@ -17,6 +17,7 @@ from numba import prange
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.kernels import kernel
 from ..common.neighbourhood import gather
+from ..common.positive_definite import factorise, solve_factorised
 from .cone_relation import OrientedPoints
 from .scene import Scene
 
@@ -110,13 +111,6 @@ def spread(points: FloatArray, candidates: IntArray, spacing: float) -> IntArray
     order = np.lexsort((away, voxel))
     first = np.concatenate([[0], np.cumsum(count)[:-1]])
     return np.asarray(candidates[order[first]])
-
-
-@kernel()
-def _solve5(a: Any, b: Any) -> Any:
-    for i in range(5):
-        a[i, i] += 1e-12 + 1e-9 * a[i, i]
-    return np.linalg.solve(a, b)
 
 
 @kernel()
@@ -223,7 +217,7 @@ def _fit_cone(near: Any, gradient: float, tolerance: float, cone: Any) -> Any:
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
     sine = gradient * cosine
     normal = np.empty((5, 5))
-    right = np.empty(5)
+    step = np.empty(5)
     support = 0
     reached = 0
     for sweep in range(SWEEPS):
@@ -287,23 +281,24 @@ def _fit_cone(near: Any, gradient: float, tolerance: float, cone: Any) -> Any:
                 sectors |= 1 << int((np.arctan2(y2, y1) + np.pi) / (2 * np.pi) * (SECTORS - 1e-3))
         if support < FEWEST_ON_LEG:
             break
-        normal[0, 0], normal[0, 1], normal[0, 2], normal[0, 3], normal[0, 4] = n00, n01, n02, n03, n04
-        normal[1, 1], normal[1, 2], normal[1, 3], normal[1, 4] = n11, n12, n13, n14
-        normal[2, 2], normal[2, 3], normal[2, 4] = n22, n23, n24
-        normal[3, 3], normal[3, 4] = n33, n34
+        normal[0, 0] = n00
+        normal[1, 0], normal[1, 1] = n01, n11
+        normal[2, 0], normal[2, 1], normal[2, 2] = n02, n12, n22
+        normal[3, 0], normal[3, 1], normal[3, 2], normal[3, 3] = n03, n13, n23, n33
+        normal[4, 0], normal[4, 1], normal[4, 2], normal[4, 3] = n04, n14, n24, n34
         # a weak prior keeps the solution on the leg where the arc is short
         normal[4, 4] = support * cosine * cosine + 0.02 * support
         for a in range(5):
-            for b in range(a):
-                normal[a, b] = normal[b, a]
+            normal[a, a] += 1e-12 + 1e-9 * normal[a, a]
+        factorise(normal)
         if sweep == SWEEPS - 1:
-            variance = np.linalg.inv(normal)[4, 4] * max(squares / support, (0.2 * tolerance) ** 2)
+            variance = max(squares / support, (0.2 * tolerance) ** 2) / normal[4, 4] ** 2
             filled = 0
             for k in range(SECTORS):
                 filled += (sectors >> k) & 1
             return support, reached, np.sqrt(max(variance, 0.0)), filled / SECTORS
-        right[0], right[1], right[2], right[3], right[4] = r0, r1, r2, r3, r4
-        step = _solve5(normal, right)
+        step[0], step[1], step[2], step[3], step[4] = r0, r1, r2, r3, r4
+        solve_factorised(normal, step)
         turn = max(np.sqrt(step[0] ** 2 + step[1] ** 2), 1e-12)
         scale = min(1.0, 0.2 / turn)
         ax += scale * (step[0] * e1x + step[1] * e2x)
@@ -385,6 +380,7 @@ def _distinct(found: Any, along: float, across: float) -> Any:
                 break
         if not copy:
             kept[count] = i
-            stronger[count] = found[i, :6]
+            for m in range(6):
+                stronger[count, m] = found[i, m]
             count += 1
     return kept[:count]

@@ -10,6 +10,7 @@ from numba import prange
 from ..common.arrays import BoolArray, FloatArray
 from ..common.kernels import kernel
 from ..common.neighbourhood import gather
+from ..common.positive_definite import factorise, solve_factorised
 from .cone_relation import FEW_POSES, ConeShape, OrientedPoints, normal_at, relate_point, surely_farther
 from .scene import Scene
 
@@ -98,15 +99,14 @@ def _refine_one(pose: Any, elements: Any, active: Any, grid: Any, shape: Any, to
                 right[a] -= weighted * dist
                 for b in range(a + 1):
                     normal[a, b] += weighted * row[b]
-        for a in range(6):
-            for b in range(a):
-                normal[b, a] = normal[a, b]
         weight = normal[0, 0] + normal[1, 1] + normal[2, 2]
         if weight < 5.0:
             break
         for a in range(6):
             normal[a, a] += 2e-3 * weight / 3.0
-        step = np.linalg.solve(normal, right)
+        factorise(normal)
+        step = right.copy()
+        solve_factorised(normal, step)
         for a in range(3):
             centre[a] += min(max(step[a], -0.06 * height), 0.06 * height)
         w0 = min(max(step[3] / height, -0.12), 0.12)

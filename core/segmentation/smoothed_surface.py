@@ -16,6 +16,7 @@ from numba import prange
 from ..common.arrays import FloatArray
 from ..common.kernels import kernel
 from ..common.neighbourhood import build_grid, gather
+from ..common.positive_definite import factorise, solve_factorised
 from ..common.voxels import thin
 from .surface_elements import BEND_RADIUS_RATIO, THINNING_RATIO, SurfaceElements, senses
 
@@ -145,7 +146,6 @@ def _quadric(local: Any, axes: Any, noise: float) -> Any:
     normal = np.empty((6, 6))
     spread = np.empty((6, 6))
     right = np.empty(6)
-    solution: Any = np.zeros(6)
     weight = 0.0
     for _ in range(REWEIGHTED):
         normal[:, :] = 0.0
@@ -162,15 +162,17 @@ def _quadric(local: Any, axes: Any, noise: float) -> Any:
                     spread[a, b] += w * w * design[j, a] * design[j, b]
         for a in range(6):
             for b in range(a):
-                normal[b, a] = normal[a, b]
                 spread[b, a] = spread[a, b]
             normal[a, a] += RIDGE * weight + TINY
-        solution = np.linalg.solve(normal, right)
+        factorise(normal)
+        solve_factorised(normal, right)
         for j in range(m):
             rest = across[j]
             for a in range(6):
-                rest -= design[j, a] * solution[a]
+                rest -= design[j, a] * right[a]
             t = rest / (BAND_IN_NOISE * noise)
             weights[j] = along[j] * max(1.0 - t * t, 0.0) ** 2
-    inverse = np.linalg.inv(normal)
-    return solution, inverse @ spread @ inverse, weight
+    inverse = np.eye(6)
+    for a in range(6):
+        solve_factorised(normal, inverse[a])
+    return right, inverse @ spread @ inverse, weight

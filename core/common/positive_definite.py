@@ -1,0 +1,40 @@
+"""Small positive definite systems in compiled loops.
+
+numba's `np.linalg.solve` calls LAPACK, which costs more than the arithmetic where there are five or six unknowns, and its texts of
+errors take a loop seconds to compile.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from .kernels import kernel
+
+
+@kernel(makes_arrays=False)
+def factorise(matrix: Any) -> None:
+    """Cholesky factor of a symmetric, positive definite (n, n) matrix, in place of its lower triangle, which alone is read.
+
+    A matrix that is not positive definite gives what is not finite (Golub and Van Loan, 2013, Matrix Computations, 4.2).
+    """
+    for a in range(matrix.shape[0]):
+        for b in range(a + 1):
+            total = matrix[a, b]
+            for k in range(b):
+                total -= matrix[a, k] * matrix[b, k]
+            matrix[a, b] = math.sqrt(total) if a == b else total / matrix[b, b]
+
+
+@kernel(makes_arrays=False)
+def solve_factorised(factor: Any, right: Any) -> None:
+    """Solution for a (n,) right-hand side, in its place, by what :func:`factorise` left."""
+    n = factor.shape[0]
+    for a in range(n):
+        for k in range(a):
+            right[a] -= factor[a, k] * right[k]
+        right[a] /= factor[a, a]
+    for a in range(n - 1, -1, -1):
+        for k in range(a + 1, n):
+            right[a] -= factor[k, a] * right[k]
+        right[a] /= factor[a, a]

@@ -1,0 +1,36 @@
+"""Small positive definite systems."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from tetratrack.core.common.positive_definite import factorise, solve_factorised
+
+
+@pytest.mark.parametrize("size", [1, 3, 5, 6])
+def test_solutions_are_those_of_lapack(size: int) -> None:
+    rng = np.random.default_rng(size)
+    for _ in range(20):
+        root = rng.normal(size=(size, size + 2))
+        matrix, right = root @ root.T, rng.normal(size=size)
+        factor, solution = np.tril(matrix), right.copy()
+        factorise(factor)
+        solve_factorised(factor, solution)
+        np.testing.assert_allclose(factor, np.linalg.cholesky(matrix), rtol=1e-9, atol=1e-12)
+        np.testing.assert_allclose(solution, np.linalg.solve(matrix, right), rtol=1e-7)
+
+
+def test_only_the_lower_triangle_is_read() -> None:
+    matrix = np.array([[4.0, np.nan], [2.0, 3.0]])
+    solution = np.array([8.0, 8.0])
+    factorise(matrix)
+    solve_factorised(matrix, solution)
+    np.testing.assert_allclose(solution, [1.0, 2.0], rtol=1e-15)
+
+
+def test_what_is_not_positive_definite_is_not_finite() -> None:
+    matrix = np.array([[1.0, 0.0], [2.0, 1.0]])
+    solution = np.ones(2)
+    factorise(matrix)
+    solve_factorised(matrix, solution)
+    assert not np.isfinite(solution).all()
