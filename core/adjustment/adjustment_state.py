@@ -49,7 +49,12 @@ class Prior(NamedTuple):
         with np.errstate(divide="ignore"):
             weights = np.where((sds > 0) & np.isfinite(sds), 1 / sds**2, 0.0)
         scaling = np.array([length] * 3 + [1.0] * 3 + [length, 1.0] + [length] * 4)
-        return cls(np.array([unit.radius, unit.gradient]), length, sds, weights, scaling)
+        return cls(np.array([unit.radius, unit.gradient], dtype=np.float64), length, sds, weights, scaling)
+
+    @classmethod
+    def empty(cls) -> Prior:
+        """Stands for any in what is compiled."""
+        return cls(np.zeros(2), 0.0, np.zeros(12), np.zeros(12), np.zeros(12))
 
 
 class UnitState(NamedTuple):
@@ -80,11 +85,17 @@ class UnitState(NamedTuple):
         return cls(
             np.array(pose.centre),
             np.array(pose.rotation, dtype=np.float64, order="C"),
-            np.array([unit.radius, unit.gradient]),
+            np.array([unit.radius, unit.gradient], dtype=np.float64),
             np.zeros(4),
             np.ones(4, dtype=np.bool_),
             np.full(4, options.end_discs is True),
         )
+
+    @classmethod
+    def empty(cls) -> UnitState:
+        """Stands for any in what is compiled."""
+        none = np.zeros(4, dtype=np.bool_)
+        return cls(np.zeros(3), np.zeros((3, 3)), np.zeros(2), np.zeros(4), none, none)
 
     def copy(self) -> UnitState:
         """The same with arrays of its own."""
@@ -107,7 +118,7 @@ class Problem:
     unit, options
         Nominal geometry, and how it is adjusted.
     points, columns
-        (n, 3) metres, and the same as (3, n).
+        (n, 3) metres, and the same as (3, n). These and the other arrays are in C order and aligned, which compiled loops rely on.
     cov
         (n, 3, 3) their covariances, square metres, or (0, 3, 3).
     given

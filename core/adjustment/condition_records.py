@@ -49,6 +49,11 @@ class LegDirections(NamedTuple):
     creases: FloatArray
     spread: float
 
+    @classmethod
+    def empty(cls) -> LegDirections:
+        """Stands for any in what is compiled."""
+        return cls(np.zeros((4, 3)), np.zeros((4, 4, 3)), 0.0)
+
 
 class Solid(NamedTuple):
     """The solid that points are compared with: where it is, and its surface.
@@ -74,6 +79,12 @@ class Solid(NamedTuple):
     leg_lengths: FloatArray
     opened: BoolArray
     discs: BoolArray
+
+    @classmethod
+    def empty(cls) -> Solid:
+        """Stands for any in what is compiled."""
+        none = np.zeros(4, dtype=np.bool_)
+        return cls(np.zeros(3), np.zeros((3, 3)), LegDirections.empty(), np.zeros(2), np.zeros(4), none, none)
 
 
 class Weighting(NamedTuple):

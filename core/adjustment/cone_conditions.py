@@ -8,9 +8,14 @@ it lies from it, and what its condition adds to the normal equations. Points are
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
 
-from ..common.kernels import kernel
+import numpy as np
+
+from ..common.arrays import FloatArray, IntArray
+from ..common.kernels import compiled_for, kernel
 from .clear_points import clear_points, keep_clear_point
 from .condition_records import (
     BLOCK,
@@ -18,15 +23,15 @@ from .condition_records import (
     BLOCK_ROWS,
     CLEAR,
     LEG,
-    PSI_SQUARES,
-    SINGLES,
-    SLOPES,
-    SQUARES,
-    WEIGHTS,
     Cone,
     Noise,
+    NormalEquations,
+    PointStates,
+    Solid,
     Sums,
     Task,
+    Weighting,
+    Work,
     X,
     Y,
     Z,
@@ -36,28 +41,8 @@ from .normal_sums import accumulate, empty_equations, mirror_equations
 
 
 @kernel(makes_arrays=False)
-def linearise_points(points: Any, cov: Any, given: Any, solid: Any, weighting: Any, equations: Any, states: Any, work: Any) -> Any:
-    """One linearisation: normal equations, right-hand side and the state of every point.
-
-    Parameters
-    ----------
-    points
-        (3, n) metres.
-    cov
-        (n, 3, 3) their covariances, square metres, or None for equal noise.
-    given
-        (n,) leg 0..3 of each point, -1 to leave it out; (0,) where legs are to be found.
-    solid, weighting
-        :class:`Solid` and :class:`Weighting`.
-    equations, states
-        :class:`NormalEquations` and :class:`PointStates`, which are overwritten.
-    work
-        Work arrays.
-
-    Returns
-    -------
-    :class:`Sums`
-    """
+def _linearise_points(points: Any, cov: Any, given: Any, solid: Any, weighting: Any, equations: Any, states: Any, work: Any) -> None:
+    """See :func:`linearise_points`; the sums are left in ``work.sums``."""
     n = points.shape[1]
     r, c = solid.shape[0], solid.shape[1]
     has_cov = cov is not None
@@ -109,5 +94,51 @@ def linearise_points(points: Any, cov: Any, given: Any, solid: Any, weighting: A
             columns = contested_point(task, place, Noise(work.body_cov, has_cov, scale, reach), j, known, columns)
         accumulate(equations, work, columns, final)
     mirror_equations(equations, final)
-    sums = work.sums
-    return Sums(sums[SQUARES], sums[WEIGHTS], sums[PSI_SQUARES], sums[SLOPES], sums[SINGLES])
+
+
+@lru_cache
+def _compiled(with_covariances: bool) -> Callable[..., None]:
+    """:func:`_linearise_points` for arrays in C order."""
+    return compiled_for(
+        _linearise_points,
+        np.zeros((3, 0)),
+        np.zeros((0, 3, 3)) if with_covariances else None,
+        np.zeros(0, dtype=np.int64),
+        Solid.empty(),
+        Weighting(scale=1.0, correct=0.0, tip=0.0, fade=0.0, edge=0.0, redescend=False, final=False),
+        NormalEquations.empty(),
+        PointStates.empty(0),
+        Work.empty(),
+    )
+
+
+def linearise_points(
+    points: FloatArray,
+    cov: FloatArray | None,
+    given: IntArray,
+    solid: Solid,
+    weighting: Weighting,
+    equations: NormalEquations,
+    states: PointStates,
+    work: Work,
+) -> Sums:
+    """One linearisation: normal equations, right-hand side and the state of every point.
+
+    Parameters
+    ----------
+    points
+        (3, n) metres. All arrays, those in records too, must be in C order and aligned: that is not checked, since a look at their types
+        takes as long as half a hundred points (:func:`.kernels.compiled_for`).
+    cov
+        (n, 3, 3) their covariances, square metres, or None for equal noise.
+    given
+        (n,) leg 0..3 of each point, -1 to leave it out; (0,) where legs are to be found.
+    solid, weighting
+        Surface, and how residuals count.
+    equations, states
+        Are overwritten.
+    work
+        Work arrays.
+    """
+    _compiled(cov is not None)(points, cov, given, solid, weighting, equations, states, work)
+    return Sums(*work.sums.tolist())

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..common.arrays import BoolArray, FloatArray
-from ..common.kernels import kernel
+from ..common.kernels import compiled_for, kernel
 from .adjustment_state import Prior, UnitState
 from .condition_records import NormalEquations
 
@@ -101,8 +103,15 @@ def _step(normal: Any, rhs: Any, free: Any, prior: Any, state: Any, change: Any)
     return gain
 
 
+@lru_cache
+def _compiled() -> Callable[..., float]:
+    """:func:`_step` for arrays in C order."""
+    return compiled_for(
+        _step, np.zeros((12, 12)), np.zeros(12), np.zeros(12, dtype=np.bool_), Prior.empty(), UnitState.empty(), np.zeros(12)
+    )
+
+
 def make_step(equations: NormalEquations, free: BoolArray, prior: Prior, state: UnitState) -> Step:
     """Make one Gauss-Newton step in the (12,) ``free`` unknowns: the arrays of ``state`` change."""
     change = np.empty(12)
-    gain: float = _step(equations.normal, equations.rhs, free, prior, state, change)
-    return Step(gain, change)
+    return Step(_compiled()(equations.normal, equations.rhs, free, prior, state, change), change)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from ..common.arrays import FloatArray
-from ..common.kernels import kernel
+from ..common.kernels import compiled_for, kernel
 from .condition_records import PointStates, Solid
 from .contested_points import to_body
 from .normal_sums import add_outer
@@ -70,14 +72,19 @@ def _row_excess(points: Any, solid: Any, cov: Any, stride: Any, out: Any) -> Non
 def row_excess(points: PointStates, solid: Solid, cov: FloatArray, stride: int) -> FloatArray:
     """(12, 12) noise part of the normal equations; a smooth sum, taken over every ``stride``-th point."""
     excess = np.zeros((12, 12))
-    _row_excess(points, solid, cov, stride, excess)
+    _compiled_excess()(points, solid, cov, stride, excess)
     return excess
 
 
+@lru_cache
+def _compiled_excess() -> Callable[..., None]:
+    """:func:`_row_excess` for arrays in C order."""
+    return compiled_for(_row_excess, PointStates.empty(0), Solid.empty(), np.zeros((0, 3, 3)), 1, np.zeros((12, 12)))
+
+
 @kernel()
-def clear_counts(xyz: Any, solid: Any, points: Any, scale: Any, enough: Any) -> Any:
-    """(4,) number of points that belong to each leg beyond doubt: well used and far from the creases with other opened legs. Ends where
-    all opened legs have ``enough``."""
+def _clear_counts(xyz: Any, solid: Any, points: Any, scale: Any, enough: Any) -> Any:
+    """See :func:`clear_counts`."""
     axes, opened = solid.legs.directions, solid.opened
     sds, weights, legs = points.sds, points.weights, points.legs
     counts = np.zeros(4)
@@ -100,3 +107,15 @@ def clear_counts(xyz: Any, solid: Any, points: Any, scale: Any, enough: Any) -> 
             counts[legs[i]] += 1.0
             lacking -= enough <= counts[legs[i]] < enough + 1.0
     return counts
+
+
+@lru_cache
+def _compiled_counts() -> Callable[..., FloatArray]:
+    """:func:`_clear_counts` for arrays in C order."""
+    return compiled_for(_clear_counts, np.zeros((0, 3)), Solid.empty(), PointStates.empty(0), 1.0, 1.0)
+
+
+def clear_counts(xyz: FloatArray, solid: Solid, points: PointStates, scale: float, enough: float) -> FloatArray:
+    """(4,) number of points that belong to each leg beyond doubt: well used and far from the creases with other opened legs. Ends where
+    all opened legs have ``enough``."""
+    return _compiled_counts()(xyz, solid, points, scale, enough)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from ..common.arrays import FloatArray
-from ..common.kernels import kernel
+from ..common.kernels import compiled_for, kernel
 from .adjustment_state import Linearisation, Prior, Problem, UnitState
 from .gauss_newton_step import DETERMINED
 from .noise_along_surface import row_excess
@@ -91,6 +93,12 @@ def _inverse_root(matrix: Any, prior: Any, free: Any) -> Any:
     return root, undetermined
 
 
+@lru_cache
+def _compiled_root() -> Callable[..., tuple[FloatArray, FloatArray]]:
+    """:func:`_inverse_root` for arrays in C order."""
+    return compiled_for(_inverse_root, np.zeros((12, 12)), Prior.empty(), np.zeros(12, dtype=np.bool_))
+
+
 @kernel()
 def _sandwich(white: Any, scores: Any, correlated: Any) -> Any:
     """(8, 8) covariance of the parameters from the inverse of the scores' derivative and the outer product of the scores, and the mean
@@ -113,7 +121,7 @@ def parameter_covariance(now: Linearisation, problem: Problem, state: UnitState)
     slope = sums.slopes / singles
     stride = max(1, len(problem.points) // EXCESS_SAMPLE)
     excess = row_excess(points, problem.solid(state), problem.cov, stride)
-    root, undetermined = _inverse_root(slope * equations.plain + equations.shared - excess, prior, free)
+    root, undetermined = _compiled_root()(slope * equations.plain + equations.shared - excess, prior, free)
     white = root @ root.T
     count = float(np.count_nonzero(points.weights > 0))
     small_sample = max(count, 1.0) / max(count - np.count_nonzero(free[:8]), 1.0)

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..common.arrays import FloatArray, IntArray
-from ..common.kernels import kernel
+from ..common.kernels import compiled_for, kernel
 from ..model.tetrapod import LATERAL
 from .adjustment_records import MIN_POINTS, PARAMETERS
 from .adjustment_state import Linearisation
+from .condition_records import PointStates
 
 NONCENTRALITY = 4.13
 """Square root of the noncentrality of a test of one outlier with alpha = 0.1 % and power 80 % (Baarda, 1968)."""
@@ -65,11 +68,17 @@ def _redundancy(whitened: Any, points: Any, scale: Any, numbers: Any, detectable
     return influences, all_weight, owned, squares
 
 
+@lru_cache
+def _compiled() -> Callable[..., tuple[float, float, IntArray, float]]:
+    """:func:`_redundancy` for arrays in C order."""
+    return compiled_for(_redundancy, np.zeros((0, 12)), PointStates.empty(0), 1.0, np.zeros(0), np.zeros(0))
+
+
 def redundancy(now: Linearisation, whitened: FloatArray) -> Redundancy:
     """Of the points of a final linearisation, with (n, 12) ``whitened`` derivatives of their conditions."""
     n = len(whitened)
     numbers, detectable = np.zeros(n), np.full(n, math.inf)
-    influence, weight, owned, square_sd = _redundancy(whitened, now.points, now.scale, numbers, detectable)
+    influence, weight, owned, square_sd = _compiled()(whitened, now.points, now.scale, numbers, detectable)
     return Redundancy(numbers, detectable, influence, weight, owned, square_sd)
 
 

@@ -578,3 +578,40 @@ def test_near_pairs_are_all_found_once(reach: float) -> None:
     apart = np.linalg.norm(points[chosen, None] - points[None, chosen], axis=2)
     correlation = np.where((apart < reach) & ~np.eye(len(chosen), dtype=bool), np.exp(-((apart / (0.7 * reach)) ** 2)), 0.0)
     assert found == pytest.approx(rows[chosen].T @ correlation @ rows[chosen])
+
+
+def arranged_otherwise(points):
+    """The same (n, 3) points in column order, read-only, and where no float64 is aligned."""
+    columns = np.asfortranarray(points)
+    locked = points.copy()
+    locked.setflags(write=False)
+    store = np.zeros(points.nbytes + 1, dtype=np.uint8)
+    odd = store[1:].view(np.float64).reshape(points.shape)
+    odd[:] = points
+    assert not columns.flags.c_contiguous
+    assert not odd.flags.aligned
+    return columns, locked, odd, points.tolist()
+
+
+def test_the_order_of_arrays_in_memory_does_not_matter():
+    rng = np.random.default_rng(31)
+    # compiled loops are called without a look at what they get
+    pose = random_pose(rng)
+    points, _, legs = sample_surface(UNIT, 600, rng)
+    points = pose.to_frame(points) + rng.normal(0, 0.01, points.shape)
+    covariances = np.tile(np.diag([1e-4, 2e-4, 1e-4]), (len(points), 1, 1))
+    swapped = np.asfortranarray(covariances)
+    known = np.asarray(legs, dtype=np.int32)
+    expected = adjust(points, UNIT, pose, covariances=covariances, legs=legs)
+    for other in arranged_otherwise(points):
+        found = adjust(other, UNIT, pose, covariances=swapped, legs=known)
+        np.testing.assert_array_equal(found.covariance, expected.covariance)
+        np.testing.assert_array_equal(found.residuals, expected.residuals)
+
+
+def test_a_known_noise_may_be_a_whole_number():
+    rng = np.random.default_rng(32)
+    pose = random_pose(rng)
+    points = pose.to_frame(sample_surface(UNIT, 300, rng)[0])
+    found = [adjust(points, UNIT, pose, options=AdjustmentOptions(sigma=sigma, robust=False)) for sigma in (1, 1.0)]
+    np.testing.assert_array_equal(found[0].covariance, found[1].covariance)
