@@ -99,8 +99,7 @@ def _linearise_points(points: Any, cov: Any, given: Any, solid: Any, weighting: 
 @lru_cache
 def _compiled(with_covariances: bool) -> Callable[..., None]:
     """:func:`_linearise_points` for arrays in C order."""
-    return compiled_for(
-        _linearise_points,
+    examples = (
         np.zeros((3, 0)),
         np.zeros((0, 3, 3)) if with_covariances else None,
         np.zeros(0, dtype=np.int64),
@@ -110,6 +109,7 @@ def _compiled(with_covariances: bool) -> Callable[..., None]:
         PointStates.empty(0),
         Work.empty(),
     )
+    return compiled_for(_linearise_points, *examples)
 
 
 def linearise_points(

@@ -127,6 +127,9 @@ def _digest_of(file: str) -> str:
 
 def keep_compiled(dispatcher: Any) -> Any:
     """Give a compiled function its cache, where a folder for it is found."""
+    if not isinstance(dispatcher, _Dispatcher):
+        # NUMBA_DISABLE_JIT leaves it as Python
+        return dispatcher
     try:
         dispatcher._cache = CheckedCache(dispatcher.py_func)
     except RuntimeError:
