@@ -7,7 +7,8 @@ Prints the weights to put into ``core/segmentation/pose_score.py`` and, for both
 with less than 5 % of their surface seen, and poses whose twist no leg determines, count neither way. Sparse and noisy clouds have weights
 of their own, fitted to thinned and noised copies (``poor_copies.py``) of surveys and of rock. With ``--among`` the sure units around
 a pose, sure by the weights fitted first, are a feature too, and the misfit typical of the cloud is none: those are the weights of clouds
-whose noise was taken off.
+whose noise was taken off. With ``--bridged`` what the rich model says, extent and support are the features, of surveys simulated with
+``--bridging`` and of rock.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ import numpy as np
 from scipy.optimize import minimize
 from scipy.spatial.transform import Rotation
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.pose_score import SURE_ALONE, among_feature, score_features
+from tetratrack.core.segmentation.pose_score import SURE_ALONE, among_feature, bridged_features, score_features
 from tetratrack.core.segmentation.segment import judge_poses
 
 RIGHT_CENTRE, RIGHT_ANGLE = 0.2, np.radians(15)
@@ -51,8 +52,8 @@ class EpochRows:
         return np.column_stack([self.features, among_feature(self.centres, sure, self.unit)])
 
 
-def survey_rows(folder: Path) -> list[EpochRows]:
-    """All epochs of a survey; poses of units that are hardly seen are left out."""
+def survey_rows(folder: Path, *, bridged: bool = False) -> list[EpochRows]:
+    """All epochs of a survey; poses of units that are hardly seen are left out. ``bridged`` for the features of such clouds."""
     settings = tomllib.loads((folder / "survey.toml").read_text())
     unit = UnitType.tetrapod(**{k: v for k, v in settings["unit"].items() if k in ("height", "radius", "gradient", "leg_length")})
     epochs = []
@@ -66,7 +67,7 @@ def survey_rows(folder: Path) -> list[EpochRows]:
         kept = np.array([k for k, verdict in verdicts.items() if verdict is not None], dtype=np.int64)
         epochs.append(
             EpochRows(
-                score_features(judged.evidence[kept], judged.tolerance, judged.typical),
+                (bridged_features if bridged else score_features)(judged.evidence[kept], judged.tolerance, judged.typical),
                 np.array([bool(verdicts[int(k)]) for k in kept], dtype=bool),
                 judged.certainty[kept],
                 judged.poses[kept, :3],
@@ -151,8 +152,11 @@ def main() -> None:
     parser.add_argument("--wrong", type=float, default=2.0, metavar="WEIGHT", help="of a wrong pose against a right one; 1 in poor clouds")
     parser.add_argument("--check", nargs="*", type=Path, default=[], metavar="SURVEY", help="folders to check them on")
     parser.add_argument("--among", action="store_true", help="fit weights with the sure units around a pose as well")
+    parser.add_argument("--bridged", action="store_true", help="fit the weights of clouds whose gaps are bridged")
     arguments = parser.parse_args()
-    fitted, checked = ([e for folder in some for e in survey_rows(folder)] for some in (arguments.fit, arguments.check))
+    fitted, checked = (
+        [e for folder in some for e in survey_rows(folder, bridged=arguments.bridged)] for some in (arguments.fit, arguments.check)
+    )
     if arguments.among:
         for epoch in fitted + checked:
             epoch.features[:, TYPICAL_MISFIT] = 0

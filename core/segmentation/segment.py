@@ -15,7 +15,7 @@ from .assembly import poses_from_pairs, poses_from_single_legs
 from .conic_ransac import find_legs
 from .pose_evidence import NUMBER_OF_CELLS, evidence
 from .pose_refinement import refine
-from .pose_score import SPARSE, SURE_ALONE, TypicalUnit, is_sparse, score, score_among, typical_unit
+from .pose_score import SPARSE, SURE_ALONE, TypicalUnit, is_sparse, score, score_among, typical_unit, where_bridged
 from .scene import COLUMNS, Evidence, Scene
 from .smoothed_surface import NOISY_RATIO, smoothed
 from .surface_elements import SurfaceElements, surface_elements
@@ -170,7 +170,7 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     scene, poses = _searched(scene, seed)
     poses, found, owner = _settled(elements, poses, scene, rounds=1)
     # chance alignments claim points of units: a last look without them
-    likely = score_among(found, poses[:, :3], scene.tolerance, typical_unit(found, scene), unit)
+    likely = score_among(found, poses[:, :3], scene.tolerance, where_bridged(typical_unit(found, scene), found), unit)
     unlikely = likely < CHANCE_SCORE
     active = ~np.isin(owner, np.flatnonzero(~unlikely))
     candidates = _candidates(scene, active, seed + PASSES, twists=5)
@@ -182,7 +182,7 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     candidates = candidates[known[known >= chance] - chance]
     chosen = select(candidates, scene, active, poses[~unlikely])
     poses, found, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), scene, rounds=2)
-    typical = typical_unit(found, scene)
+    typical = where_bridged(typical_unit(found, scene), found)
     sure = score_among(found, poses[:, :3], scene.tolerance, typical, unit) >= FOUND_SCORE
     poses, certainty = settle_twists(poses, found, sure, scene, owner)
     return JudgedPoses(

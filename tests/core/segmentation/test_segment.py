@@ -18,8 +18,8 @@ from tetratrack.core.segmentation.assembly import poses_from_pairs
 from tetratrack.core.segmentation.conic_ransac import find_legs
 from tetratrack.core.segmentation.pose_evidence import evidence
 from tetratrack.core.segmentation.pose_refinement import refine
-from tetratrack.core.segmentation.pose_score import NOISY, RICH, SMOOTHED, SPARSE, ScoreModel, TypicalUnit, score
-from tetratrack.core.segmentation.scene import Evidence, Scene
+from tetratrack.core.segmentation.pose_score import BRIDGED, NOISY, RICH, SMOOTHED, SPARSE, ScoreModel, TypicalUnit, score, where_bridged
+from tetratrack.core.segmentation.scene import CELLS, CLOSE, COLUMNS, MISFIT, REACHED, SUPPORT, Evidence, Scene
 from tetratrack.core.segmentation.segment import FEWEST_FOUND_CELLS, FOUND_SCORE, fewest_found_cells, segment
 from tetratrack.core.segmentation.surface_elements import surface_elements
 from tetratrack.core.segmentation.verification import FEWEST_CELLS, overlap
@@ -300,3 +300,29 @@ def test_the_fewest_cells_of_a_found_unit_go_with_what_cells_hold_in_a_sparse_cl
 @pytest.mark.parametrize("model", [RICH, NOISY, SMOOTHED])
 def test_the_fewest_cells_stay_where_the_number_of_points_is_not_what_limits(model: ScoreModel):
     assert fewest_found_cells(units_of(8.7), np.array([0.95, 0.95]), TypicalUnit(0.01, 1.0, model=model)) == FEWEST_FOUND_CELLS
+
+
+def test_where_gaps_are_bridged_what_lies_beside_a_unit_speaks_less_against_it() -> None:
+    """Of an unbridged cloud, of no poses and of a poor cloud the model stays."""
+    tolerance, columns = 0.03, {SUPPORT: 0, CLOSE: 1, REACHED: 2, CELLS: 3, MISFIT: 4}
+
+    def poses(*rows: tuple[float, float, float, float, float]) -> Evidence:
+        table = np.zeros((len(rows), len(COLUMNS)))
+        for column, place in columns.items():
+            table[:, column] = [row[place] for row in rows]
+        return Evidence(table)
+
+    unit, half, rock = (1900.0, 2550.0, 3600.0, 74.0, 0.015), (700.0, 850.0, 1100.0, 33.0, 0.015), (300.0, 480.0, 800.0, 20.0, 0.024)
+    found = poses(unit, half, rock)
+    typical = TypicalUnit(misfit=0.015, agreement=0.8)
+    bridged = where_bridged(typical, found)
+    assert bridged.model is BRIDGED
+    before, after = score(found, tolerance, typical), score(found, tolerance, bridged)
+    assert before[0] < 0.65 < 0.95 < after[0]
+    assert after[1] > before[1]
+    assert after[2] < 0.05
+    clean = poses((1900.0, 1950.0, 2000.0, 74.0, 0.015), rock)
+    assert where_bridged(typical, clean) is typical
+    assert where_bridged(typical, poses()) is typical
+    sparse = TypicalUnit(0.015, 0.8, model=SPARSE)
+    assert where_bridged(sparse, found) is sparse
