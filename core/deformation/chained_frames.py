@@ -17,8 +17,8 @@ from dataclasses import replace
 import numpy as np
 
 from ..common.arrays import FloatArray
-from ..registration.frame_field import FieldEstimate
-from .elastic_congruence import ElasticDatum
+from ..registration.frame_field import FieldEstimate, solved, symmetric_part
+from .elastic_congruence import FrameTie
 from .epoch_frames import EpochFrames
 
 MOST_UNKNOWNS = 4600
@@ -31,28 +31,39 @@ Message = tuple[FloatArray, FloatArray]
 """Normal matrix and right-hand side of what another epoch says of a field."""
 
 
-def chained_errors(frames: EpochFrames, data: Sequence[ElasticDatum | None]) -> tuple[FieldEstimate | None, ...]:
+def chained_errors(frames: EpochFrames, ties: Sequence[FrameTie | None]) -> tuple[FieldEstimate | None, ...]:
     """Error of every epoch's registered cloud as the targets of all epochs see it; None for all where none has targets.
 
     Parameters
     ----------
     frames
         Of all epochs, with what each one's own targets say.
-    data
-        Datums of pairs of epochs that follow each other; None where no units tie them.
+    ties
+        Of epochs that follow each other; None where no units tie them.
     """
     if all(error is None for error in frames.errors) or frames.basis.size > MOST_UNKNOWNS:
         return frames.errors
     alone = [_prior(frames) if error is None else error for error in frames.errors]
-    nothing = np.zeros((frames.basis.size, frames.basis.size)), np.zeros(frames.basis.size)
-    before, after = [nothing] * len(alone), [nothing] * len(alone)
+    before: list[Message | None] = [None] * len(alone)
     for k in range(1, len(alone)):
-        before[k] = _passed_on(alone[k - 1].informed(*before[k - 1]), data[k - 1], 1.0)
-    for k in range(len(alone) - 2, -1, -1):
-        after[k] = _passed_on(alone[k + 1].informed(*after[k + 1]), data[k], -1.0)
-    together = [own.informed(a[0] + b[0], a[1] + b[1]) for own, a, b in zip(alone, before, after, strict=True)]
-    factor = _size_of_positions(data)
-    return tuple(replace(field, covariance=field.covariance * factor) for field in together)
+        before[k] = _passed_on(_with_word(alone[k - 1], before[k - 1]), ties[k - 1], 1.0)
+    factor = _size_of_positions(ties)
+    found: list[FieldEstimate] = []
+    after: Message | None = None
+    for k in range(len(alone) - 1, -1, -1):
+        # each word is let go once it has been heard: on long coasts all matrices are large
+        later = _with_word(alone[k], after)
+        known = _with_word(later, before[k])
+        before[k] = None
+        found.append(replace(known, covariance=known.covariance * factor))
+        del known
+        after = _passed_on(later, ties[k - 1], -1.0) if k else None
+    return tuple(reversed(found))
+
+
+def _with_word(known: FieldEstimate, message: Message | None) -> FieldEstimate:
+    """What is known of an epoch's field with what another epoch says of it."""
+    return known if message is None else known.informed(*message)
 
 
 def _prior(frames: EpochFrames) -> FieldEstimate:
@@ -62,21 +73,23 @@ def _prior(frames: EpochFrames) -> FieldEstimate:
     return FieldEstimate(basis, np.zeros(basis.size), covariance)
 
 
-def _passed_on(known: FieldEstimate, datum: ElasticDatum | None, sign: float) -> Message:
-    """What an epoch, and units that rest, say of the next one (sign 1) or the one before (-1)."""
+def _passed_on(known: FieldEstimate, tie: FrameTie | None, sign: float) -> Message | None:
+    """What an epoch, and units that rest, say of the next one (sign 1) or the one before (-1); None where no units tie them."""
+    if tie is None:
+        return None
     size = known.basis.size
-    if datum is None:
-        return np.zeros((size, size)), np.zeros(size)
-    reach = np.linalg.inv(np.eye(size) + datum.information @ known.covariance)
-    information = reach @ datum.information
-    return 0.5 * (information + information.T), reach @ (datum.information @ known.mean + sign * datum.rhs)
+    said = np.zeros((size, size + 1), order="F")
+    said[tie.information.coords] = tie.information.data
+    said[:, -1] = tie.information @ known.mean + sign * tie.rhs
+    passed = solved(tie.information @ known.covariance, said)
+    return symmetric_part(passed[:, :-1]), passed[:, -1].copy()
 
 
-def _size_of_positions(data: Sequence[ElasticDatum | None]) -> float:
+def _size_of_positions(ties: Sequence[FrameTie | None]) -> float:
     """Factor of the variance of positions: what the epochs share is another draw than their differences, and the model has its say too."""
     weights, sizes = [MODEL_BENDS], [1.0]
-    for datum in data:
-        if datum is not None and datum.bends > 0:
-            weights.append(datum.bends)
-            sizes.append(datum.size)
+    for tie in ties:
+        if tie is not None and tie.bends > 0:
+            weights.append(tie.bends)
+            sizes.append(tie.size)
     return float(np.average(sizes, weights=weights))

@@ -15,6 +15,7 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.sparse import coo_array
 from scipy.special import chdtrc
 
 from ..common.arrays import BoolArray, FloatArray
@@ -30,33 +31,50 @@ ROBUST_STEPS, DATUM_STEPS = 12, 8
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class ElasticDatum:
-    """Both datums of an epoch pair as fields.
+class FrameTie:
+    """What resting units say of the frames of two epochs.
 
     Attributes
     ----------
-    control, stable
-        The difference of the two frames' errors as targets, and as targets and resting units see it.
-    precision
-        Inverse of the covariance of ``control``.
-    used
-        (n,) whether a unit took part in datum ``stable``.
+    stable
+        The difference of the two frames' errors as targets and resting units see it.
     information, rhs
-        Normal matrix and right-hand side of the units that did: what ``stable`` knows beyond ``control``.
+        Sparse normal matrix and right-hand side of these units: what ``stable`` knows beyond targets.
     size
-        Factor of the model's variance that the covariance of ``control`` holds; ``precision`` is that of the model.
+        Factor of the model's variance that datum ``control`` was found to need.
     bends
         Independent bends that it was learned from; 0 where it was not.
     """
 
-    control: FieldEstimate
     stable: FieldEstimate
-    precision: FloatArray
-    used: BoolArray
-    information: FloatArray
+    information: coo_array
     rhs: FloatArray
     size: float
     bends: float
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ElasticDatum(FrameTie):
+    """Both datums of an epoch pair as fields.
+
+    Attributes
+    ----------
+    control
+        The difference of the two frames' errors as targets see it; its covariance holds ``size``.
+    precision
+        Inverse of its covariance by the model.
+    used
+        (n,) whether a unit took part in datum ``stable``.
+    """
+
+    control: FieldEstimate
+    precision: FloatArray
+    used: BoolArray
+
+    @property
+    def tie(self) -> FrameTie:
+        """What outlasts the comparison: on long coasts each matrix of all unknowns is large."""
+        return FrameTie(stable=self.stable, information=self.information, rhs=self.rhs, size=self.size, bends=self.bends)
 
 
 def elastic_congruence_of(
@@ -94,34 +112,37 @@ def elastic_congruence_of(
     basis = control.basis
     at_control = control.at(points)
 
-    def adjusted(weights: FloatArray, variances: FloatArray) -> tuple[FieldEstimate, LocalMotions]:
+    def adjusted(weights: FloatArray, variances: FloatArray) -> FieldEstimate:
         inverse = np.linalg.inv(variances) * weights[:, None, None]
         keep = weights > 1e-6
-        field = FieldEstimate.from_observations(basis, precision, points[keep], displacements[keep], inverse[keep], control.mean)
-        return field, field.at(points).without(displacements, variances, weights)
+        return FieldEstimate.from_observations(basis, precision, points[keep], displacements[keep], inverse[keep], control.mean)
+
+    def by_others(weights: FloatArray, variances: FloatArray) -> LocalMotions:
+        # the field itself is let go at once: two at a time would be twice the memory
+        return adjusted(weights, variances).at(points).without(displacements, variances, weights)
 
     rough = covariances + (ROUGH_SHARE * scale) ** 2 * np.eye(3)
     weights = t_weights(quadratic(displacements - at_control.means[:, :3], rough + at_control.covariances[:, :3, :3]))[0]
     weights[suspects] = 0.0
     for _ in range(ROBUST_STEPS):
-        _, others = adjusted(weights, rough)
+        others = by_others(weights, rough)
         earlier, weights = weights, t_weights(quadratic(displacements - others.means[:, :3], rough + others.covariances[:, :3, :3]))[0]
         if np.abs(weights - earlier).max(initial=0.0) < 0.05:
             break
-    _, others = adjusted(weights, rough)
+    others = by_others(weights, rough)
     residuals, spread = displacements - others.means[:, :3], others.covariances[:, :3, :3]
     null = calibrate(residuals, covariances, scale, spread)
     stable = null.p_value(quadratic(residuals, null.covariance(covariances) + spread)) > STABLE_LEVEL
     for _ in range(DATUM_STEPS):
-        effective = null.covariance(covariances)
-        field, others = adjusted(stable.astype(np.float64), effective)
+        others = by_others(stable.astype(np.float64), null.covariance(covariances))
         residuals, spread = displacements - others.means[:, :3], others.covariances[:, :3, :3]
         before, null = null, calibrate(residuals, covariances, scale, spread)
         previous, stable = stable, null.p_value(quadratic(residuals, null.covariance(covariances) + spread)) > STABLE_LEVEL
         if (stable == previous).all() and abs(null.factor - before.factor) + abs(null.floor - before.floor) / scale < 1e-3:
             break
     effective = null.covariance(covariances)
-    field, others = adjusted(stable.astype(np.float64), effective)
+    field = adjusted(stable.astype(np.float64), effective)
+    others = field.at(points).without(displacements, effective, stable.astype(np.float64))
     resting = stable & ~suspects
     known = ControlScale(size=1.0, factor=1.0, degrees=degrees, bends=0.0)
     if controlled:

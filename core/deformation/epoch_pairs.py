@@ -28,7 +28,7 @@ from .displacement import (
     turn_vector,
     unit_motion,
 )
-from .elastic_congruence import ElasticDatum, elastic_congruence_of
+from .elastic_congruence import ElasticDatum, FrameTie, elastic_congruence_of
 from .epoch_frames import EpochFrames, PairShifts
 from .identity import Track
 from .joint_records import JointAdjustment
@@ -53,8 +53,8 @@ class PairMotion:
 class EpochPair:
     """Two epochs, earlier first, with their datum and all motions.
 
-    ``judged`` numbers those of ``units`` that are certain and stayed in place, on which the congruence rests; ``elastic`` holds both
-    datums as fields where the frames bend; ``stretches`` the common motion of stretches by datum.
+    ``judged`` numbers those of ``units`` that are certain and stayed in place, on which the congruence rests; ``tie`` holds
+    what they say of frames that bend, of epochs that follow each other; ``stretches`` the common motion of stretches by datum.
     """
 
     first: int
@@ -64,7 +64,7 @@ class EpochPair:
     units: tuple[PairMotion, ...]
     judged: IntArray
     stretches: Mapping[str, Sequence[StretchMotion]]
-    elastic: ElasticDatum | None = None
+    tie: FrameTie | None = None
 
     @property
     def calibration(self) -> tuple[float, float, float, float]:
@@ -157,7 +157,8 @@ def compare_epochs(units: TrackedUnits, epochs: Sequence[TrackedEpoch], first: i
     ]
     return EpochPair(
         first=first, second=second, congruence=congruence, turn_null=turn_null,
-        units=_classified(members, motions, own_frames), judged=judged, elastic=elastic,
+        units=_classified(members, motions, own_frames), judged=judged,
+        tie=elastic.tie if elastic is not None and second == first + 1 else None,
         stretches=motions_of_stretches(_judged_units(members, congruence), congruence, elastic, height),
     )  # fmt: skip
 
@@ -210,9 +211,8 @@ def _elastic(
     members: _Members, frames: EpochFrames, first: int, second: int, height: float, degrees: float
 ) -> tuple[Congruence, ElasticDatum, dict[str, LocalMotions]]:
     judged, centres, vectors, own = members.judged, members.centres, members.vectors, members.covariances
-    control, precision = frames.between(first, second)
     congruence, datum = elastic_congruence_of(
-        vectors[judged], own[judged], centres[judged], control, precision, height, degrees,
+        vectors[judged], own[judged], centres[judged], *frames.between(first, second), height, degrees,
         suspects=frames.jumped(first, second, centres[judged]), controlled=frames.controlled(first, second),
     )  # fmt: skip
     used = np.zeros(len(centres))

@@ -28,7 +28,7 @@ from .chained_frames import chained_errors
 from .congruence import PoseCalibration
 from .cross_check import CrossCheck, cross_check
 from .displacement import SECONDS_PER_YEAR, FramePart, Velocity, velocity
-from .elastic_congruence import ElasticDatum
+from .elastic_congruence import FrameTie
 from .epoch_frames import EpochFrames, FrameChoice, estimate_frames
 from .epoch_pairs import EpochPair, TrackedUnits, compare_epochs, joint_block, shifts_between, unit_shape
 from .fitted_unit import FittedUnit
@@ -162,6 +162,8 @@ def track(
     calibrations = tuple(PoseCalibration.of_pairs([p.calibration for p in pairs if k in (p.first, p.second)]) for k in range(len(epochs)))
     checks = _cross_checks(seen, joint, numbers, len(epochs))
     velocities = _velocities(epochs, units, tracks, tracked, pairs, calibrations) if len(epochs) > 2 else {}
+    if frames is not None:
+        frames = replace(frames, errors=chained_errors(frames, _ties_of_neighbours(pairs)))
     return Tracking(
         kinds=tuple(t.kind for t in tracks),
         units=tuple(tracked),
@@ -174,7 +176,7 @@ def track(
         velocities=velocities,
         shifts=identities.shifts,
         frames=frames,
-        frame_errors=() if frames is None else chained_errors(frames, _data_of_neighbours(pairs)),
+        frame_errors=() if frames is None else frames.errors,
     )
 
 
@@ -184,9 +186,9 @@ def _with_legs(seen: Mapping[int, FittedUnit]) -> dict[int, FittedUnit]:
     return {epoch: replace(sighting, legs=legs[epoch]) for epoch, sighting in seen.items()}
 
 
-def _data_of_neighbours(pairs: Sequence[EpochPair]) -> list[ElasticDatum | None]:
-    """Datums of pairs of epochs that follow each other."""
-    return [pair.elastic for pair in sorted(pairs, key=lambda pair: pair.first) if pair.second == pair.first + 1]
+def _ties_of_neighbours(pairs: Sequence[EpochPair]) -> list[FrameTie | None]:
+    """Of pairs of epochs that follow each other."""
+    return [pair.tie for pair in sorted(pairs, key=lambda pair: pair.first) if pair.second == pair.first + 1]
 
 
 def _frames(units: TrackedUnits, epochs: Sequence[TrackedEpoch], choice: FrameChoice) -> EpochFrames | None:

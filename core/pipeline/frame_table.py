@@ -32,9 +32,9 @@ def frame_error_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], height:
             if known is not None:
                 rows += _rows(known, points, along, origin, {"epoch": epoch.label, "known_by": "targets", "correlation_length": length})
         for pair in tracking.pairs:
-            if pair.elastic is not None and pair.second == pair.first + 1:
+            if pair.tie is not None and pair.second == pair.first + 1:
                 base = {"epoch": epochs[pair.second].label, "epoch_from": epochs[pair.first].label, "known_by": "units"}
-                rows += _rows(pair.elastic.stable.at(points), points, along, origin, base | {"correlation_length": length})
+                rows += _rows(pair.tie.stable.at(points), points, along, origin, base | {"correlation_length": length})
     return rows + _drift_rows(tracking, epochs, origin)
 
 

@@ -18,7 +18,8 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve
+from scipy.linalg import cho_factor, cho_solve, lu_factor, lu_solve
+from scipy.linalg.lapack import dpotri
 from scipy.sparse import coo_array, csr_array
 
 from ..common.arrays import FloatArray, IntArray
@@ -35,6 +36,8 @@ RIGID = 6
 FREE_SHIFT, FREE_TURN = 10.0, 0.1
 """Standard deviations, metres and radians, of what is left of a rigid motion of which nothing is known once clouds are aligned."""
 TAPS = 4
+MIRRORED = 256
+"""Rows of a symmetric matrix whose lower half is filled in at a time."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -262,15 +265,18 @@ class FieldEstimate:
         """Adjust the unknowns with prior ``precision`` about ``start`` (zero) to (k, 3) shifts with (k, 3, 3) weights at (k, 3) points."""
         mean = np.zeros(basis.size) if start is None else start
         information, rhs = information_of(basis, points, values, weights)
-        factor = cho_factor(precision + information)
-        return cls(
-            basis, mean + cho_solve(factor, rhs - information @ mean), np.asarray(cho_solve(factor, np.eye(basis.size)), dtype=np.float64)
-        )
+        total = np.array(precision, order="F")
+        total[information.coords] += information.data
+        factor = cho_factor(total, overwrite_a=True)
+        # long coasts have thousands of unknowns: the inverse takes the place of the factor once that is not needed
+        mean = mean + cho_solve(factor, rhs - information @ mean)
+        inverse = dpotri(factor[0], lower=0, overwrite_c=1)[0]
+        _mirror(inverse)
+        return cls(basis, mean, inverse)
 
-    def informed(self, information: FloatArray, rhs: FloatArray) -> FieldEstimate:
+    def informed(self, information: FloatArray | coo_array, rhs: FloatArray) -> FieldEstimate:
         """What is known once independent observations are added, by their (size, size) normal matrix and (size,) right-hand side."""
-        gain = np.linalg.inv(np.eye(self.basis.size) + self.covariance @ information) @ self.covariance
-        covariance = np.asarray(0.5 * (gain + gain.T), dtype=np.float64)
+        covariance = symmetric_part(solved(self.covariance @ information, np.array(self.covariance, order="F")))
         return FieldEstimate(self.basis, self.mean + covariance @ (rhs - information @ self.mean), covariance)
 
     def at(self, points: FloatArray) -> LocalMotions:
@@ -326,13 +332,41 @@ class LocalMotions:
         return LocalMotions(means, totals)
 
 
-def information_of(basis: FieldBasis, points: FloatArray, values: FloatArray, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Normal matrix (size, size) and right-hand side (size,) of (k, 3) shifts with (k, 3, 3) weights at (k, 3) points."""
+def information_of(basis: FieldBasis, points: FloatArray, values: FloatArray, weights: FloatArray) -> tuple[coo_array, FloatArray]:
+    """Normal matrix (size, size) and right-hand side (size,) of (k, 3) shifts with (k, 3, 3) weights at (k, 3) points.
+
+    A shift bears on the nodes around it alone: the matrix is sparse, each of its entries there once.
+    """
     if not len(points):
-        return np.zeros((basis.size, basis.size)), np.zeros(basis.size)
+        return coo_array((basis.size, basis.size)), np.zeros(basis.size)
     design = basis.design(points)
     weighted = block_rows(weights) @ design
-    return (design.T @ weighted).toarray(), np.asarray(weighted.T @ values.ravel())
+    return coo_array(design.T @ weighted), np.asarray(weighted.T @ values.ravel())
+
+
+def solved(product: FloatArray, right: FloatArray) -> FloatArray:
+    """The solution of (1 + ``product``) x = ``right``; both are used up, to spare memory, where ``right`` runs by columns."""
+    product[np.diag_indices_from(product)] += 1
+    # a view transposed runs by columns, as LAPACK asks for, and nothing is copied
+    turned = bool(product.flags.c_contiguous)
+    factor = lu_factor(product.T if turned else product, overwrite_a=True)
+    return np.asarray(lu_solve(factor, right, trans=int(turned), overwrite_b=True), dtype=np.float64)
+
+
+def symmetric_part(matrix: FloatArray) -> FloatArray:
+    """Mean of a square matrix and its transpose."""
+    total = matrix + matrix.T
+    total *= 0.5
+    return total
+
+
+def _mirror(matrix: FloatArray) -> None:
+    """Fill the lower half of a square matrix with its upper one, in place."""
+    for start in range(0, len(matrix), MIRRORED):
+        stop = start + MIRRORED
+        matrix[start:stop, :start] = matrix[:start, start:stop].T
+        block = matrix[start:stop, start:stop]
+        block[:] = np.triu(block) + np.triu(block, 1).T
 
 
 def block_rows(blocks: FloatArray) -> csr_array:

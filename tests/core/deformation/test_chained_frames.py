@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import tracemalloc
 from dataclasses import replace
 
 import numpy as np
-from bent_coast import BentCoast, bent_coast
+import pytest
+from bent_coast import DIRECTION, BentCoast, bent_coast
 from numpy.typing import NDArray
 from tetratrack.core.deformation.chained_frames import chained_errors
 from tetratrack.core.deformation.elastic_congruence import ElasticDatum, elastic_congruence_of
 from tetratrack.core.deformation.epoch_frames import EpochFrames, PairShifts, TargetShifts, estimate_frames
-from tetratrack.core.registration.frame_field import FieldEstimate
+from tetratrack.core.registration.frame_field import FieldBasis, FieldEstimate, FieldModel, information_of
 
 HEIGHT = 2.3
 FloatArray = NDArray[np.float64]
@@ -116,3 +118,30 @@ def test_positions_between_two_stations_are_as_far_off_as_stated() -> None:
     assert 0.7 < np.mean(squares) < 1.4
     assert max(squares) < 6.0
     assert 0.8 < np.sqrt(np.mean(np.square(lengths)) / np.mean(stated)) < 1.2
+
+
+def test_a_long_coast_holds_few_matrices_of_all_unknowns_at_a_time() -> None:
+    coast = bent_coast(3, length=250.0, shortest=40.0, longest=80.0)
+    axis = (float(DIRECTION[0]), float(DIRECTION[1]))
+    model = FieldModel(sds=(0.04, 0.04, 0.04), length=10.0, across=160.0, axis=axis)
+    basis = FieldBasis.over(model, np.vstack([coast.places, coast.targets]), 0.001)
+    precision = basis.precision()
+    weights = np.tile(np.eye(3) / coast.target_sd**2, (len(coast.targets), 1, 1))
+    matrix = 8 * basis.size**2
+    tracemalloc.start()
+    try:
+        known = FieldEstimate.from_observations(basis, precision, coast.targets, coast.residuals[0], weights)
+        estimated = tracemalloc.get_traced_memory()[1]
+        information, rhs = information_of(basis, coast.places, coast.displacements, np.linalg.inv(coast.covariances))
+        tracemalloc.reset_peak()
+        known.informed(information, rhs)
+        informed = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert basis.size > 500
+    assert known.covariance == pytest.approx(known.covariance.T, rel=0, abs=0)
+    # the covariance takes the place of the normal matrix; with it stay its product with what is added, a copy, and their symmetric part
+    assert estimated < 1.7 * matrix
+    assert informed < 5.5 * matrix
+    # each entry there once, and most are not
+    assert information.nnz < basis.size**2 / 4
