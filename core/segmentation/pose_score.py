@@ -25,7 +25,10 @@ SPARSE_RATIO = 0.014
 
 
 SURE_ALONE = 0.9
-"""Score by its own elements from which a pose needs no units around it, and is one of those around others."""
+"""Score by its own elements from which the units around a pose can only add to it, and it is one of those around others."""
+APART, APART_ODDS = 2, 100.0
+"""A pose with fewer sure ones around stands apart, which is so much likelier of chance than of a unit: of 373 right poses in noised copies
+of six simulated piles one stands apart, of 645 wrong ones (two scenes of rock among them) 354; a second right one is allowed for."""
 AMONG_HEIGHTS = 1.6
 """Distance of centres, in heights, up to which units stand beside each other: 5 to 10 of a pile are that near to one of it."""
 
@@ -140,15 +143,19 @@ def score(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray
 def score_among(found: Evidence, centres: FloatArray, tolerance: float, typical: TypicalUnit, unit: UnitType) -> FloatArray:
     """(k,) as :func:`score`, from the number of sure units around (k, 3) centres as well where the model asks for it.
 
-    Units lie among units. In noisy clouds a fifth of one and a rock look alike, and the place tells them apart.
+    Units lie among units. In noisy clouds a fifth of one and a rock look alike, and the place tells them apart. A pose that is sure by its
+    own elements keeps that score; where it stands apart, the odds of that lower it.
     """
     alone = score(found, tolerance, typical)
     if typical.model.among is None or not len(found):
         return alone
     sure = alone >= SURE_ALONE
-    features = np.column_stack([score_features(found, tolerance, typical), among_feature(centres, sure, unit)])
+    company = among_feature(centres, sure, unit)
+    features = np.column_stack([score_features(found, tolerance, typical), company])
     among = _probability(typical.model.among, features, found, tolerance, typical)
-    return np.where(sure, np.maximum(alone, among), among)
+    apart = company < np.log1p(APART) - 1e-9
+    own = np.where(apart, alone / (alone + APART_ODDS * (1 - alone)), alone)
+    return np.where(sure, np.maximum(own, among), among)
 
 
 def among_feature(centres: FloatArray, sure: BoolArray, unit: UnitType) -> FloatArray:

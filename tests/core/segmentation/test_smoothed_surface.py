@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.pose_score import AMONG_HEIGHTS, RICH, SMOOTHED, TypicalUnit, score, score_among
+from tetratrack.core.segmentation.pose_score import AMONG_HEIGHTS, APART_ODDS, RICH, SMOOTHED, SURE_ALONE, TypicalUnit, score, score_among
 from tetratrack.core.segmentation.scene import Evidence, Scene
-from tetratrack.core.segmentation.segment import segment
+from tetratrack.core.segmentation.segment import FOUND_SCORE, segment
 from tetratrack.core.segmentation.smoothed_surface import NOISY_RATIO, smoothed
 from tetratrack.core.segmentation.surface_elements import surface_elements
 from tetratrack.core.simulation.sampled_unit import cloud_of, interlocked_poses
@@ -20,6 +20,8 @@ H = UNIT.height
 ROWS = interlocked_poses(UNIT, columns=3, lower_rows=2, upper_rows=1)
 WEAK = Evidence(np.array([[200.0, 230.0, 0.0, 20.0, 3.0, 0.42, 252.0]]))
 """Support, close, inside, cells, legs, misfit over the tolerance, reached: a fifth of a unit, or a rock, in noise of 3 % of H."""
+ROCK = Evidence(np.array([[190.0, 193.0, 0.0, 14.0, 3.0, 0.51, 195.0]]))
+"""A pose in rock before the toe of a simulated pile: nearly all elements agree."""
 SURE = Evidence(np.array([[700.0, 720.0, 0.0, 60.0, 4.0, 0.36, 730.0]]))
 TYPICAL = TypicalUnit(misfit=0.38, agreement=0.97, model=SMOOTHED)
 
@@ -76,10 +78,23 @@ def test_the_place_decides_where_the_elements_do_not():
     assert alone[0] < 0.65
     assert apart[0] < 0.2 < 0.65 < beside[0]
     # a unit does not stand beside itself, and one that shows well needs no neighbour
-    assert score_among(SURE, np.zeros((1, 3)), 1.0, TYPICAL, UNIT)[0] == alone[1]
+    assert FOUND_SCORE < score_among(SURE, np.zeros((1, 3)), 1.0, TYPICAL, UNIT)[0] < alone[1]
     rich = replace(TYPICAL, model=RICH)
     assert (score_among(evidence, around, 1.0, rich, UNIT) == score(evidence, 1.0, rich)).all()
     assert len(score_among(Evidence.joined([]), np.zeros((0, 3)), 1.0, TYPICAL, UNIT)) == 0
+
+
+def test_odds_against_what_stands_apart_lower_what_is_sure_by_its_own_elements():
+    poses = Evidence.joined([ROCK, *[SURE] * 6])
+    alone = score(poses, 1.0, TYPICAL)
+    assert SURE_ALONE < alone[0] < 0.99
+    beside = 0.9 * H * np.vstack([np.zeros(3), np.eye(3), -np.eye(3)])
+    assert score_among(poses, beside, 1.0, TYPICAL, UNIT)[0] >= alone[0]
+    beside[0, 0] += 3 * AMONG_HEIGHTS * H
+    apart = score_among(poses, beside, 1.0, TYPICAL, UNIT)
+    assert apart[0] == pytest.approx(alone[0] / (alone[0] + APART_ODDS * (1 - alone[0])))
+    assert apart[0] < FOUND_SCORE
+    assert (apart[1:] >= alone[1:]).all()
 
 
 def test_a_scene_knows_whether_it_was_smoothed(noisy_cloud):
