@@ -75,6 +75,8 @@ KINDS = {
     "uav_no_targets": Kind(instrument="uav", frame=FrameErrors(bend=0.03), targets_every=0.0),
     "tls_flat": Kind(instrument="tls"),
     "tls_short": Kind(instrument="tls", frame=FrameErrors(bend=0.05, shortest=30.0, longest=60.0)),
+    "tls_bent": Kind(instrument="tls", frame=FrameErrors(bend=0.03)),
+    "photogrammetry_bent": Kind(instrument="photogrammetry", frame=FrameErrors(bend=0.03)),
     "bowl": Kind(instrument="photogrammetry", frame=FrameErrors(bowl=0.05)),
 }
 
