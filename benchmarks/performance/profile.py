@@ -20,9 +20,9 @@ from pathlib import Path
 from typing import Any
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
-os.environ.setdefault("NUMBA_NUM_THREADS", "1")
 
 from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.common.kernels import threads_of_kernels
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.run_options import RunOptions
 from tetratrack.core.pipeline.whole_survey import run_survey
@@ -95,7 +95,7 @@ def main() -> None:
     clock = None
     for folder in options.surveys:
         survey = read_survey(folder / "survey.toml")
-        with tempfile.TemporaryDirectory() as name:
+        with tempfile.TemporaryDirectory() as name, threads_of_kernels(1):
             # loads every module and every kernel
             run_survey(survey, Path(name) / "first.gpkg", RunOptions(workers=1), Feedback())
             if clock is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import os
 from pathlib import Path
 
 import pytest
@@ -25,7 +26,10 @@ MODULES = sorted(
 
 @pytest.mark.parametrize("module", [name for name in MODULES if name not in NEED_QGIS])
 def test_imports(module: str) -> None:
+    before = {name: value for name, value in os.environ.items() if "THREADS" in name}
     assert importlib.import_module(f"tetratrack.{module}").__doc__
+    # numba refuses to compile anything more where its number of threads changes after the first loop
+    assert {name: value for name, value in os.environ.items() if "THREADS" in name} == before
 
 
 def test_every_benchmark_is_listed() -> None:
