@@ -19,10 +19,10 @@ Three things go beyond the textbook form, each to keep the estimate unbiased or 
 from __future__ import annotations
 
 import math
-from typing import TypeVar
+from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..common.arrays import BoolArray, FloatArray
 from ..common.errors import InputError, NoSolutionError
@@ -39,8 +39,8 @@ from .residual_scale import SCALE_CONSISTENCY, SCALE_CONTRACTION, quantile_scale
 from .residual_weights import NO_WEIGHT
 from .visible_parts import discs_shown, legs_shown
 
-Number = TypeVar("Number", np.float64, np.int64)
-
+ARRANGED: tuple[Literal["C"], Literal["A"], Literal["E"]] = ("C", "A", "E")
+"""How compiled loops take arrays, in C order, aligned, plain ones: they do not check it."""
 APPROACH_SAMPLE = 250
 """Points with which the adjustment comes near before it uses all."""
 
@@ -79,13 +79,13 @@ def adjust(
         Fewer points near the unit than parameters.
     """
     options = options or AdjustmentOptions()
-    xyz = _arranged(points, np.float64)
+    xyz = np.require(points, np.float64, ARRANGED)
     if xyz.ndim != 2 or xyz.shape[1] != 3:
         raise ValueError(f"points must be (n, 3), got {xyz.shape}")
     if not np.isfinite(xyz).all():
         raise InputError("points of a unit are not finite", remedy="remove points without coordinates")
     n = len(xyz)
-    cov = np.zeros((0, 3, 3)) if covariances is None else _arranged(covariances, np.float64)
+    cov = np.zeros((0, 3, 3)) if covariances is None else np.require(covariances, np.float64, ARRANGED)
     if covariances is not None and cov.shape != (n, 3, 3):
         raise ValueError(f"covariances must be ({n}, 3, 3), got {cov.shape}")
     unusable = n - np.count_nonzero(_positive_definite(cov)) if len(cov) else 0
@@ -95,7 +95,7 @@ def adjust(
             remedy="give each point a covariance in square metres with noise in all three directions, and leave out points without a GPS "
             "time or sensor position",
         )
-    given = np.zeros(0, dtype=np.int64) if legs is None else _arranged(legs, np.int64)
+    given = np.zeros(0, dtype=np.int64) if legs is None else np.require(legs, np.int64, ARRANGED)
     if legs is not None and (given.shape != (n,) or given.max(initial=0) > 3):
         raise ValueError(f"legs must be ({n},) numbers 0..3, or -1")
     kept = np.arange(n) if legs is None else np.flatnonzero(given >= 0)
@@ -109,12 +109,6 @@ def adjust(
     rough = Solver(problem.sampled(kept[:: len(kept) // APPROACH_SAMPLE]), start)
     scale = rough.approach()
     return rough.of_all(problem).solve(scale)
-
-
-def _arranged(values: ArrayLike, dtype: type[Number]) -> NDArray[Number]:
-    """An array as compiled loops take it: in C order and aligned."""
-    array = np.ascontiguousarray(values, dtype=dtype)
-    return array if array.flags.aligned else array.copy()
 
 
 def _positive_definite(cov: FloatArray) -> BoolArray:

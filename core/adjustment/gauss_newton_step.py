@@ -11,6 +11,7 @@ import numpy as np
 
 from ..common.arrays import BoolArray, FloatArray
 from ..common.kernels import compiled_for, kernel
+from ..common.positive_definite import factorise, solve_factorised
 from .adjustment_state import Prior, UnitState
 from .condition_records import NormalEquations
 
@@ -67,17 +68,11 @@ def _step(normal: Any, rhs: Any, free: Any, prior: Any, state: Any, change: Any)
             total = normal[p, q] * scaling[p] * scaling[q]
             if a == b:
                 total += prior_weights[p] * scaling[p] * scaling[p] + 1.0 / DETERMINED**2
-            for k in range(b):
-                total -= factor[a, k] * factor[b, k]
-            factor[a, b] = math.sqrt(total) if a == b else total / factor[b, b]
-        for k in range(a):
-            inner[a] -= factor[a, k] * inner[k]
-        inner[a] /= factor[a, a]
+            factor[a, b] = total
+    factorise(factor)
+    solve_factorised(factor, inner)
     gain = 0.0
     for a in range(m - 1, -1, -1):
-        for k in range(a + 1, m):
-            inner[a] -= factor[k, a] * inner[k]
-        inner[a] /= factor[a, a]
         gain += along[a] * inner[a]
     change[:] = 0.0
     for a in range(m):
