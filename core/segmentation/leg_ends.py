@@ -170,7 +170,7 @@ class LegView:
         shaft = self._by_sector(on_side, SHAFT)
         sided = bool((shaft >= LEAST_POINTS).any())
         # a leg that points at the sensor hides its sides and shows its face: the other legs tell how densely it is sampled
-        densities = [self._density(self._shaft(k)) for k in ([leg] if sided else range(4))]
+        densities = [self._density(s) for s in ([shaft] if sided else map(self._shaft, range(4)))]
         if not any(densities):
             return math.nan, 0.0
         density = float(np.median([d for d in densities if d > 0]))
