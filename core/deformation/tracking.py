@@ -20,7 +20,7 @@ from ..model.feature_points import FEATURES, FeaturePoints, feature_points
 from ..model.mould import Mould
 from ..model.tetrapod import distance_to_surface
 from ..model.unit_types import UnitType
-from ..registration.frame_field import FieldEstimate, LocalMotions
+from ..registration.frame_field import LocalMotions
 from ..registration.transformation import Transformation
 from ..segmentation.leg_ends import LegEnds
 from ..segmentation.surface_elements import surface_noise
@@ -83,9 +83,8 @@ class Tracking:
     shifts
         (e, 3) common shift between the clouds that identity removed, metres.
     frames
-        How the epochs' frames bend; None where they are rigid.
-    frame_errors
-        By epoch, the error of its bent frame as the targets of all epochs see it, tied by resting units; None where no one knows.
+        How the epochs' frames bend, with their errors as the targets of all epochs see them, tied by resting units; None where they
+        are rigid.
     """
 
     kinds: tuple[int, ...]
@@ -99,11 +98,10 @@ class Tracking:
     velocities: dict[int, tuple[Velocity, ...]]
     shifts: FloatArray
     frames: EpochFrames | None = None
-    frame_errors: tuple[FieldEstimate | None, ...] = ()
 
     def frame_error(self, epoch: int, points: FloatArray) -> LocalMotions | None:
         """Error of an epoch's registered cloud at (k, 3) points as targets see it; None where its frame is rigid or without targets."""
-        error = self.frame_errors[epoch] if self.frame_errors else None
+        error = None if self.frames is None else self.frames.errors[epoch]
         return None if error is None else error.at(points)
 
 
@@ -176,7 +174,6 @@ def track(
         velocities=velocities,
         shifts=identities.shifts,
         frames=frames,
-        frame_errors=() if frames is None else frames.errors,
     )
 
 
