@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -41,26 +42,61 @@ class Weights(NamedTuple):
 
 
 class ScoreModel(NamedTuple):
-    """Models of the score: of :func:`score_features` alone, and of these and the number of sure units around where that is asked too.
+    """Models of the score: of its features alone, and of these and the number of sure units around where that is asked too.
 
-    ``doubts`` says whether what no unit shows speaks against a pose beyond its features.
+    ``doubts`` says whether what no unit shows speaks against a pose beyond its features; ``features`` makes these, (k, n), from the
+    evidence for k poses, the tolerance in metres and what is typical of the cloud.
     """
 
     alone: Weights
     among: Weights | None
     doubts: bool
+    features: Callable[[Evidence, float, TypicalUnit], FloatArray]
 
 
-RICH = ScoreModel(Weights(-4.48, (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)), None, True)
-SPARSE = ScoreModel(Weights(5.16, (0.60, 0.06, -3.11, 0.85, -19.6, 0.12)), None, False)
-NOISY = ScoreModel(Weights(0.73, (0.06, 0.99, -2.36, -0.30, -25.7, 2.24)), None, False)
+def score_features(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k, 6) what the score is made of.
+
+    Log-odds that an element near the surface lies on it and that its normal agrees, both the more telling the more surface cells
+    they come from; elements inside the solid; misfit against what is typical of this cloud and against the tolerance; extent.
+    """
+    close = found.close
+    # two per cent of disagreement is always allowed for, so that the odds stay finite
+    on_surface = np.log((close + 1) / (found.reached - close + 1 + 0.02 * close))
+    agreeing = np.log((found.support + 1) / (close - found.support + 1 + 0.02 * close))
+    extent = np.log1p(found.cells)
+    return np.column_stack(
+        [
+            extent * on_surface,
+            extent * agreeing,
+            np.log1p(found.inside / (0.01 * close + 1)),
+            np.minimum(found.misfit / max(typical.misfit, 1e-12), 4.0),
+            found.misfit / tolerance,
+            extent,
+        ]
+    )
+
+
+def bridged_features(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k, 3) what the score is made of where gaps are bridged: log-odds of the rich model as far as believed, extent and support."""
+    rich = replace(typical, model=RICH)
+    log_odds = _log_odds(RICH.alone, score_features(found, tolerance, rich), found, tolerance, rich)
+    return np.column_stack([np.clip(log_odds, -MOST_LOG_ODDS, MOST_LOG_ODDS), np.log1p(found.cells), np.log1p(found.support)])
+
+
+RICH = ScoreModel(Weights(-4.48, (1.08, 1.67, -1.22, -1.62, -1.71, -1.41)), None, True, score_features)
+SPARSE = ScoreModel(Weights(5.16, (0.60, 0.06, -3.11, 0.85, -19.6, 0.12)), None, False, score_features)
+NOISY = ScoreModel(Weights(0.73, (0.06, 0.99, -2.36, -0.30, -25.7, 2.24)), None, False, score_features)
 SMOOTHED = ScoreModel(
-    Weights(-3.79, (0.68, 0.82, -4.39, 0.0, -7.79, -0.37)), Weights(-10.37, (0.64, 0.59, -3.51, 0.0, -9.66, 0.33, 3.86)), False
+    Weights(-3.79, (0.68, 0.82, -4.39, 0.0, -7.79, -0.37)),
+    Weights(-10.37, (0.64, 0.59, -3.51, 0.0, -9.66, 0.33, 3.86)),
+    False,
+    score_features,
 )
 """In sparse clouds normals say little, and how closely the elements lie to the surface nearly all; in noisy ones of too few points to take
 the noise off both, and the extent; where it was taken off, rock smoothed alike fits a part of a unit about as well, but hardly ever where
 units stand around. There what is typical of the cloud is left out, as a table that fits badly is where few units stand on one."""
-BRIDGED = ScoreModel(Weights(-23.34, (0.63, 3.11, 2.15)), None, False)
+BRIDGED = ScoreModel(Weights(-23.34, (0.63, 3.11, 2.15)), None, False, bridged_features)
 """Of :func:`bridged_features`, where image matching bridges the gaps between units: what lies beside their surfaces speaks less against a
 pose than elsewhere, and how much of one it explains speaks for it. Elements inside and misfit stay as the rich model weighs them: real
 units of such clouds have a score of elements inside, simulated ones none."""
@@ -136,8 +172,7 @@ def score(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray
     The weights were fitted to simulated piles, rock and laboratory scenes (``benchmarks/accuracy/score_calibration.py``), never to a real
     survey. What no unit of those shows speaks against a pose beyond that.
     """
-    features = (bridged_features if typical.model is BRIDGED else score_features)(found, tolerance, typical)
-    return _probability(typical.model.alone, features, found, tolerance, typical)
+    return _probability(typical.model.alone, typical.model.features(found, tolerance, typical), found, tolerance, typical)
 
 
 def score_among(found: Evidence, centres: FloatArray, tolerance: float, typical: TypicalUnit, unit: UnitType) -> FloatArray:
@@ -151,7 +186,7 @@ def score_among(found: Evidence, centres: FloatArray, tolerance: float, typical:
         return alone
     sure = alone >= SURE_ALONE
     company = among_feature(centres, sure, unit)
-    features = np.column_stack([score_features(found, tolerance, typical), company])
+    features = np.column_stack([typical.model.features(found, tolerance, typical), company])
     among = _probability(typical.model.among, features, found, tolerance, typical)
     apart = company < np.log1p(APART) - 1e-9
     own = np.where(apart, alone / (alone + APART_ODDS * (1 - alone)), alone)
@@ -184,33 +219,3 @@ def _unlikeness(found: Evidence, tolerance: float, typical: TypicalUnit) -> Floa
     # what is odd in few elements is telling in many
     odd = 20 * np.maximum(0.0, 1 - 3 / np.sqrt(close) - found.support / close / max(typical.agreement, 1e-12))
     return np.asarray(scattered + few + odd)
-
-
-def score_features(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
-    """(k, 6) what the score is made of.
-
-    Log-odds that an element near the surface lies on it and that its normal agrees, both the more telling the more surface cells
-    they come from; elements inside the solid; misfit against what is typical of this cloud and against the tolerance; extent.
-    """
-    close = found.close
-    # two per cent of disagreement is always allowed for, so that the odds stay finite
-    on_surface = np.log((close + 1) / (found.reached - close + 1 + 0.02 * close))
-    agreeing = np.log((found.support + 1) / (close - found.support + 1 + 0.02 * close))
-    extent = np.log1p(found.cells)
-    return np.column_stack(
-        [
-            extent * on_surface,
-            extent * agreeing,
-            np.log1p(found.inside / (0.01 * close + 1)),
-            np.minimum(found.misfit / max(typical.misfit, 1e-12), 4.0),
-            found.misfit / tolerance,
-            extent,
-        ]
-    )
-
-
-def bridged_features(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
-    """(k, 3) what the score is made of where gaps are bridged: log-odds of the rich model as far as believed, extent and support."""
-    rich = replace(typical, model=RICH)
-    log_odds = _log_odds(RICH.alone, score_features(found, tolerance, rich), found, tolerance, rich)
-    return np.column_stack([np.clip(log_odds, -MOST_LOG_ODDS, MOST_LOG_ODDS), np.log1p(found.cells), np.log1p(found.support)])

@@ -59,7 +59,8 @@ class SimulationPlan:
     castings
         Units differ from the ideal cones as real castings do.
     bridging
-        Radius in metres of the narrowest hollow that the matching of images follows; 0 where it follows all. Photogrammetry only.
+        Radius in metres of the narrowest hollow that the matching of images follows; 0 where it follows all. Instruments other than
+        photogrammetry bridge none and refuse it.
     other_views
         Later epochs are flown along other lines, or scanned from other stations.
     frame
@@ -122,6 +123,12 @@ class SimulationPlan:
             value = getattr(self, field)
             if not math.isfinite(value) or value < 0:
                 raise InputError(f"{field} must be 0 or a positive number, got {value!r}", where=field, remedy="Correct the number.")
+        if self.bridging > 0 and self.instrument != "photogrammetry":
+            raise InputError(
+                f"{self.instrument} bridges no hollows: it measures every point by itself",
+                where="bridging",
+                remedy="Use instrument photogrammetry, or leave bridging at 0.",
+            )
         if self.length > 0 and (self.laboratory or not 0 < self.units < STRETCH_NUMBERS):
             raise InputError(
                 f"a coast of {self.units} units a stretch cannot be simulated by {self.instrument}",

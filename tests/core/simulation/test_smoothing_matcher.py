@@ -7,6 +7,7 @@ import pytest
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.simulation.smoothing_matcher import MatchedView, closed
 from tetratrack.core.simulation.survey_plan import SimulationPlan
+from tetratrack.core.simulation.virtual_instruments import Instrument
 
 SPACING = 0.02
 X, Y = np.meshgrid(np.arange(-1, 1, SPACING), np.arange(-1, 1, SPACING), indexing="ij")
@@ -42,6 +43,13 @@ def test_a_hollow_narrower_than_the_paraboloid_is_filled_to_its_surface() -> Non
 def test_a_radius_below_nought_is_refused() -> None:
     with pytest.raises(InputError, match="bridging"):
         SimulationPlan("s", "photogrammetry", bridging=-0.1)
+
+
+@pytest.mark.parametrize("instrument", ["uav", "tls", "depth_camera"])
+def test_an_instrument_that_matches_no_images_refuses_it(instrument: Instrument) -> None:
+    with pytest.raises(InputError, match=f"{instrument} bridges no hollows"):
+        SimulationPlan("s", instrument, bridging=0.1)
+    assert SimulationPlan("s", instrument).bridging == 0
 
 
 class _Floor:
