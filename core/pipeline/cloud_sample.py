@@ -1,4 +1,4 @@
-"""A part of an epoch's points, enough to tell what the whole shows: places where much surface stands, read densely."""
+"""A part of an epoch's points, enough to tell what the whole shows: places where much surface stands, spread over the cloud."""
 
 from __future__ import annotations
 
@@ -10,19 +10,24 @@ from ..common.arrays import FloatArray
 from ..data.tiles import TileInfo, Window, read_points, used_points
 from ..segmentation.unit_size import WINDOW_SIDE, dense_windows
 
-MOST_POINTS = 4_000_000
-"""Clouds up to this size are read whole."""
+MOST_POINTS = 1_000_000
+"""Clouds up to this size are read whole; a read point takes some hundred bytes until it stands in its order."""
 MOST_READ = 60_000_000
 """Points decompressed at most to see where surface stands: whole tiles, evenly spread over the epoch."""
 SUPPOSED_HEIGHT = 2.2
 """Metres; large clouds are surveys of the coast, whose dense places are looked for at the scale of customary units."""
-PLACES = 6
+PLACES = 8
+"""Parts of a large cloud at most, of equal length, of each of which one place is read: the one where most surface stands."""
+MOST_OF_PLACES = 2_000_000
+"""Points of all places that are as wide as they may be; denser ones are narrower, and past their least width every so many are taken."""
+LEAST_SIDE, MOST_SIDE = 1.5, 3.0
+"""Side of a place in squares of a trial (:data:`WINDOW_SIDE`): that units three times as large as supposed fill one too."""
 
 
 def sample_points(
-    tiles: Sequence[TileInfo], crs: str, *, is_cancelled: Callable[[], bool] = lambda: False
+    tiles: Sequence[TileInfo], crs: str, height: float = SUPPOSED_HEIGHT, *, is_cancelled: Callable[[], bool] = lambda: False
 ) -> tuple[FloatArray, FloatArray]:
-    """Points (n, 3) of an epoch in a reduced frame and the origin (3,) of that: all, or those of its densest places.
+    """Points (n, 3) of an epoch in a reduced frame and the origin (3,) of that: all, or those of dense places, however long it is.
 
     Parameters
     ----------
@@ -30,33 +35,57 @@ def sample_points(
         Headers read in the CRS ``crs``.
     crs
         As for :func:`read_points`.
+    height
+        Of the units that are supposed to be there, metres; places are up to nine times as wide, so that larger units are whole there too.
+    is_cancelled
+        Asked between chunks.
     """
     if sum(tile.held for tile in tiles) <= MOST_POINTS:
         cloud = read_points(tiles, crs, is_cancelled=is_cancelled)
         return cloud.xyz, cloud.origin
-    coarse, chosen = _overview([tile for tile in tiles if tile.used], crs, is_cancelled)
-    height = SUPPOSED_HEIGHT
-    parts: list[FloatArray] = []
+    chosen, coarse, stride = _overview([tile for tile in tiles if tile.used], crs, is_cancelled)
     origin = np.floor(coarse.min(axis=0))
-    for place in dense_windows(coarse - origin, height, PLACES):
-        low = coarse[place, :2].min(axis=0)
-        # wide enough for the largest units
-        side = 3 * WINDOW_SIDE * height
-        middle = low + 0.5 * WINDOW_SIDE * height
-        window = Window(middle[0] - side / 2, middle[1] - side / 2, middle[0] + side / 2, middle[1] + side / 2)
-        cloud = read_points(chosen, crs, window=window, origin=origin, is_cancelled=is_cancelled)
-        parts.append(_at_most(cloud.xyz, MOST_POINTS // PLACES))
-    return np.unique(np.vstack(parts), axis=0), origin
+    windows = _dense_places(coarse, stride, height)
+    parts: list[list[FloatArray]] = [[] for _ in windows]
+    for tile in chosen:
+        near = [k for k, window in enumerate(windows) if window.meets(tile.low, tile.high)]
+        for xyz in used_points(tile, crs, is_cancelled) if near else ():
+            rest = xyz
+            for k in near:
+                inside = windows[k].contains(rest)
+                parts[k].append(rest[inside] - origin)
+                rest = rest[~inside]
+    # in an order that does not depend on the tiling, and what two tiles hold once
+    return np.vstack([_at_most(np.unique(np.vstack(own), axis=0), MOST_OF_PLACES // len(parts)) for own in parts]), origin
 
 
-def _overview(tiles: Sequence[TileInfo], crs: str, is_cancelled: Callable[[], bool]) -> tuple[FloatArray, list[TileInfo]]:
-    """Every so many of the points of tiles spread over the epoch, and these tiles."""
+def _dense_places(points: FloatArray, stride: int, height: float) -> list[Window]:
+    """Squares that hold most surface, one in each part of (n, 3) points, every ``stride``-th of the cloud, along their longer extent."""
+    extent = np.ptp(points[:, :2], axis=0)
+    along = points[:, int(np.argmax(extent))]
+    side = WINDOW_SIDE * height
+    count = int(np.clip(extent.max() / (MOST_SIDE * side), 1, PLACES))
+    part = np.minimum((along - along.min()) / extent.max() * count, count - 1).astype(np.int64)
+    windows = []
+    for k in np.unique(part):
+        mine = points[part == k] - points[0]
+        for place in dense_windows(mine, height, 1):
+            e, n = mine[place, :2].min(axis=0) + points[0, :2] + 0.5 * side
+            squares = MOST_OF_PLACES / count / (len(place) * stride)
+            half = 0.5 * side * float(np.clip(np.sqrt(squares), LEAST_SIDE, MOST_SIDE))
+            windows.append(Window(e - half, n - half, e + half, n + half))
+    return windows
+
+
+def _overview(tiles: Sequence[TileInfo], crs: str, is_cancelled: Callable[[], bool]) -> tuple[list[TileInfo], FloatArray, int]:
+    """Tiles spread over the epoch, and every so many of their points."""
     total = sum(tile.held for tile in tiles)
     step = max(1, round(total / MOST_READ))
     chosen = list(tiles)[::step] if len(tiles) > step else list(tiles[:1])
-    stride = max(1, sum(tile.held for tile in chosen) // (MOST_POINTS // 2))
-    return np.vstack([xyz[::stride] for tile in chosen for xyz in used_points(tile, crs, is_cancelled)]), chosen
+    stride = max(1, sum(tile.held for tile in chosen) // MOST_POINTS)
+    # copies: a view would keep all points of its chunk in memory
+    return chosen, np.vstack([xyz[::stride].copy() for tile in chosen for xyz in used_points(tile, crs, is_cancelled)]), stride
 
 
 def _at_most(points: FloatArray, most: int) -> FloatArray:
-    return points if len(points) <= most else points[:: -(-len(points) // most)]
+    return points if len(points) <= most else points[:: round(len(points) / most)].copy()

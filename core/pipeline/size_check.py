@@ -44,7 +44,8 @@ def check_sizes(survey: Survey, tiles: Sequence[TileInfo], feedback: Feedback) -
         _check_proportions(survey, index, unit.type)
     if not survey.size_check:
         return
-    points, origin = sample_points(tiles, survey.crs, is_cancelled=feedback.is_cancelled)
+    height = max(unit.type.height for unit in survey.units)
+    points, origin = sample_points(tiles, survey.crs, height, is_cancelled=feedback.is_cancelled)
     for index, unit in enumerate(survey.units):
         feedback.progress(index / len(survey.units), "comparing the size of the units with the cloud")
         mine = _inside(points, origin, unit)
