@@ -18,11 +18,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.kernels import kernel
+from ..common.positive_definite import factorise
 from ..model.mould import AXIAL_CELLS, AZIMUTH_CELLS, DISC_CELLS, THIRD, Mould
 from ..model.unit_types import UnitType
 
@@ -252,14 +254,65 @@ def eliminate(
     root = np.sqrt(weight[cells])
     scaled = rows[cells] / root[:, None]
     target = cell_rhs[cells] / root
-    between = covariance[np.ix_(cells, cells)]
     # W^1/2 (W + K^-1)^-1 W^1/2 = I - (I + W^1/2 K W^1/2)^-1, with W the weights of the cells
-    factor = cho_factor(np.eye(len(cells)) + between * np.outer(root, root), lower=True, check_finite=False)
-    solved = cho_solve(factor, np.column_stack([scaled, target]), check_finite=False)
-    deviations = surface.mean - covariance[:, cells] @ (root * solved[:, -1])
+    whitened, deviations = np.column_stack([scaled, target]), surface.mean.copy()
+    _whiten(covariance, cells, root, whitened, deviations)
+    taken, left = whitened[:, :-1], whitened[:, -1]
     contradictions = tuple(_contradicted(sums, deviations, surface.own_of(sums)) for sums in sightings)
-    taken = scaled - solved[:, :-1]
-    return Eliminated(normal - scaled.T @ taken, rhs - taken.T @ target, deviations, contradictions)
+    return Eliminated(
+        normal=normal - scaled.T @ scaled + taken.T @ taken,
+        rhs=rhs - scaled.T @ target + taken.T @ left,
+        deviations=deviations,
+        own=contradictions,
+    )
+
+
+@kernel()
+def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any) -> None:
+    """Right-hand sides in place times the inverse of the Cholesky factor of I + W^1/2 K W^1/2, leg by leg, as nothing ties two legs; what
+    the last of them says of the deviations is added to these.
+
+    Parameters
+    ----------
+    covariance
+        (CELLS, CELLS) of the deviations, K.
+    cells, root
+        (n,) cells that are seen, ascending, and the roots of their weights.
+    right
+        (n, q) right-hand sides.
+    deviations
+        (CELLS,) of the mould.
+    """
+    count, columns = right.shape
+    start = 0
+    while start < count:
+        leg = cells[start] // LEG_CELLS
+        stop = start
+        while stop < count and cells[stop] // LEG_CELLS == leg:
+            stop += 1
+        factor = np.empty((stop - start, stop - start))
+        for a in range(stop - start):
+            for b in range(a + 1):
+                factor[a, b] = root[start + a] * covariance[cells[start + a], cells[start + b]] * root[start + b]
+            factor[a, a] += 1.0
+        factorise(factor)
+        for a in range(stop - start):
+            for k in range(a):
+                for c in range(columns):
+                    right[start + a, c] -= factor[a, k] * right[start + k, c]
+            for c in range(columns):
+                right[start + a, c] /= factor[a, a]
+        solved = right[start:stop, columns - 1].copy()
+        for a in range(stop - start - 1, -1, -1):
+            solved[a] /= factor[a, a]
+            for k in range(a):
+                solved[k] -= factor[a, k] * solved[a]
+        for a in range(stop - start):
+            solved[a] *= root[start + a]
+        for c in range(leg * LEG_CELLS, (leg + 1) * LEG_CELLS):
+            for a in range(stop - start):
+                deviations[c] -= covariance[c, cells[start + a]] * solved[a]
+        start = stop
 
 
 def _contradicted(sums: CellSums, deviations: FloatArray, own: FloatArray) -> FloatArray:
