@@ -267,7 +267,7 @@ def eliminate(
     )
 
 
-@kernel()
+@kernel(releases=True)
 def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any) -> None:
     """Right-hand sides in place times the inverse of the Cholesky factor of I + W^1/2 K W^1/2, leg by leg, as nothing ties two legs; what
     the last of them says of the deviations is added to these.

@@ -11,11 +11,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import numpy as np
 
 from ..common.arrays import FloatArray, IntArray
+from ..common.kernels import side_by_side
 from ..model.mould import AXIAL_CELLS, AZIMUTH_CELLS, DISC_CELLS
 from .shape_effects import (
     COMPONENTS,
@@ -112,7 +113,7 @@ def estimate_surface(
     """
     prior = stored or prior_surface(height)
     degrees = PRIOR_DEGREES if stored is None else STORED_DEGREES
-    observed = [o for o in (_observations(unit, surface) for unit in units) if o is not None]
+    observed = [o for o in side_by_side(partial(_observations, surface=surface), units) if o is not None]
     if not observed:
         return prior
     # order of the variances: components, own, size
@@ -127,8 +128,7 @@ def estimate_surface(
         if learns and step % MOULD_STEPS == 0:
             mould = _mould(observed, values, height)
         forms, traces = np.zeros(len(values)), np.zeros(len(values))
-        for o in observed:
-            a, t = _scores(o, values, mould)
+        for a, t in side_by_side(partial(_scores, values=values, mould=mould), observed):
             forms += a
             traces += t
         new = values * np.sqrt((forms + degrees * base / values**2) / (traces + degrees / values))

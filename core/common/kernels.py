@@ -9,7 +9,9 @@ arrays, like `np.linalg.solve`, brings along the texts of numba's errors of shap
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any, TypeVar, cast
 
@@ -19,6 +21,8 @@ from numba.core.dispatcher import Dispatcher
 from .compiled_code import choose_folder, keep_compiled
 
 Function = TypeVar("Function", bound=Callable[..., object])
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
 COMPILED: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
 """How all kernels are compiled: sums may be taken in another order, so that they run in vector registers; what is not finite stays
@@ -69,3 +73,27 @@ def threads_of_kernels(count: int) -> Iterator[None]:
         yield
     finally:
         numba.set_num_threads(before)
+
+
+def side_by_side(work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
+    """What ``work`` makes of each item, in the order of the items, on as many threads as kernels may use.
+
+    Items are drawn by the caller's thread, two a thread ahead of the results. It pays where most of the work is in large arrays, linear
+    algebra and kernels that let other threads of Python go on (``releases``); parallel kernels must not be called in it.
+    """
+    threads = numba.get_num_threads()
+    if threads == 1:
+        yield from map(work, items)
+        return
+    waiting: deque[Future[Result]] = deque()
+    with ThreadPoolExecutor(threads) as pool:
+        try:
+            for item in items:
+                waiting.append(pool.submit(work, item))
+                if len(waiting) > 2 * threads:
+                    yield waiting.popleft().result()
+            while waiting:
+                yield waiting.popleft().result()
+        finally:
+            for future in waiting:
+                future.cancel()

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..adjustment.shape_effects import CellSums, eliminate, prior_surface, surface_of
+from ..adjustment.shape_effects import CellSums, Eliminated, eliminate, prior_surface, surface_of
 from ..adjustment.surface_estimation import SampledUnit, estimate_surface
 from ..common.arrays import FloatArray
 from ..model.mould import Mould
@@ -51,12 +51,16 @@ class CastSurfaces:
         """Standard deviation of single points about :meth:`expected`, metres, noise apart."""
         return math.sqrt(self.model.own + float(self.model.variances[-2:].sum()))
 
-    def reduced(
-        self, unit: int, scale: float, normal: FloatArray, rhs: FloatArray, sightings: Sequence[CellSums], unknowns: int
-    ) -> tuple[FloatArray, FloatArray]:
-        """Normal equations of a unit without the deviations of its cells; the first ``unknowns`` are its poses and its size."""
+    def reduced(self, unit: int, normal: FloatArray, rhs: FloatArray, sightings: Sequence[CellSums]) -> Eliminated:
+        """Normal equations of a unit without the deviations of its cells; nothing is changed, so that units may be reduced side by side."""
         known = [own.astype(np.float64) * MILLIMETRE**2 for own in self._own.get(unit, ())]
-        found = eliminate(normal, rhs, sightings, self.model, self._covariance, known)
+        return eliminate(normal, rhs, sightings, self.model, self._covariance, known)
+
+    def keep(self, unit: int, scale: float, found: Eliminated, sightings: Sequence[CellSums], unknowns: int) -> None:
+        """Keep what the reduction of a unit of relative size 1 + ``scale`` found of its surface.
+
+        The first ``unknowns`` of its equations are its poses and its size.
+        """
         # kept for every unit of the survey: three digits of millimetres and their squares are plenty
         self._deviations[unit] = (found.deviations / MILLIMETRE).astype(np.float16)
         self._own[unit] = tuple(np.minimum(own / MILLIMETRE**2, LARGEST_HALF).astype(np.float16) for own in found.own)
@@ -67,7 +71,6 @@ class CastSurfaces:
                 del self._sample[weakest]
             own = [CellSums(s.rows[:, :unknowns].copy(), s.weight, s.rhs, s.square, s.noise) for s in sightings]
             self._sample[unit] = (seen, SampledUnit(scale, own, found.own))
-        return found.normal, found.rhs
 
     def learn(self) -> None:
         """Learn mould and variances from the units reduced last."""

@@ -44,7 +44,7 @@ class StripObservations(NamedTuple):
     Attributes
     ----------
     rows
-        (n, 7) derivatives of the distances by pose and scale.
+        (n, 7) derivatives of the distances by pose and scale; none where only distances were asked for.
     residuals
         (n,) distances, metres.
     patches
@@ -59,18 +59,21 @@ class StripObservations(NamedTuple):
     strips: IntArray
 
 
-def observations(points: FloatArray, strips: IntArray, offsets: FloatArray, body: Body, *, margin: float, tip: float) -> StripObservations:
+def observations(
+    points: FloatArray, strips: IntArray, offsets: FloatArray, body: Body, *, margin: float, tip: float, derived: bool = True
+) -> StripObservations:
     """Observations of (n, 3) points of (n,) strips with (s, 3) offsets, metres.
 
     Points nearer to a crease than ``margin`` are left out; beyond ``tip`` along a leg the cone counts only if the end disc holds it.
+    Without ``derived`` no derivatives are formed.
     """
     n = len(points)
-    found = StripObservations(np.zeros((n, 7)), np.zeros(n), np.full(n, -1, dtype=np.int64), strips)
+    found = StripObservations(np.zeros((n if derived else 0, 7)), np.zeros(n), np.full(n, -1, dtype=np.int64), strips)
     _observe(np.ascontiguousarray(points, dtype=np.float64), strips, offsets, body, (margin, tip), found)
     return found
 
 
-@kernel()
+@kernel(releases=True)
 def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, found: Any) -> None:
     """Distances, rows and patch of every point of one sighting into ``found``; points nearer to a crease than the first of the limits are
     left out.
@@ -82,6 +85,7 @@ def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, foun
     rows, residual, patch, _ = found
     cosine = 1.0 / math.sqrt(1.0 + c * c)
     end_radius = r - c * length
+    derived = rows.shape[0] > 0
     for i in range(points.shape[0]):
         s = strip[i]
         px = points[i, 0] - offsets[s, 0] - centre[0]
@@ -133,6 +137,8 @@ def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, foun
             ring = min(max(int(axial / length * AXIAL_CELLS), 0), AXIAL_CELLS - 1)
             patch[i] = leg * LEG_CELLS + ring * AZIMUTH_CELLS + min(int(turn * AZIMUTH_CELLS), AZIMUTH_CELLS - 1)
         residual[i] = e
+        if not derived:
+            continue
         mx, my, mz = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
         for m in range(3):
             rows[i, m] = -(rotation[m, 0] * nx + rotation[m, 1] * ny + rotation[m, 2] * nz)
@@ -140,7 +146,7 @@ def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, foun
         rows[i, 6] = scale_row
 
 
-@kernel()
+@kernel(releases=True)
 def accumulate(seen: Any, window: Any, expected: Any, equations: Any, cells: Any, places: Any) -> int:
     """Add one sighting to its unit's normal equations and to its cells; returns the number of points with weight.
 

@@ -19,12 +19,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
+from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..adjustment.shape_effects import CELLS, LEG_CELLS, CellSums
-from ..common.arrays import FloatArray, IntArray
+from ..adjustment.shape_effects import CELLS, LEG_CELLS, CellSums, Eliminated
+from ..common.arrays import FloatArray
+from ..common.kernels import side_by_side
 from ..common.robust import MAD_TO_SD, TUKEY
 from ..model.mould import Mould
 from ..model.pose import Pose
@@ -37,7 +39,7 @@ from .streamed_median import StreamedMedian
 from .strip_drifts import DriftSystem, Knots, StripDrifts, UnitEquations
 from .strip_observations import Body, StripObservations, accumulate, observations
 from .strip_systems import DriftStep, OffsetSystem, StripSystem, StripValues, UnitBlock
-from .unit_clouds import by_home
+from .unit_clouds import ReadCloud, by_home
 
 MAX_ITERATIONS = 8
 
@@ -78,6 +80,14 @@ def adjust_jointly(
     return solver.solve()
 
 
+class UnitReduction(NamedTuple):
+    """A unit eliminated from the normal equations: its block, what it says of its surface, and its sums by cell and sighting."""
+
+    block: UnitBlock
+    surface: Eliminated
+    cells: list[CellSums]
+
+
 class _JointSolver:
     """State of the joint adjustment."""
 
@@ -112,19 +122,23 @@ class _JointSolver:
         shapes = sorted({s.shape for s in self.sightings}, key=repr)
         self.surfaces = {shape: CastSurfaces(shape.height, moulds.get(shape)) for shape in shapes}
 
-    def observed(self, noise: FloatArray) -> Iterator[tuple[int, list[StripObservations]]]:
-        """Every unit with its observations by sighting, in the order in which they are read with least effort; ``noise`` by epoch sets how
-        near to a crease points are left out.
-        """
+    def clouds(self) -> Iterator[tuple[int, list[ReadCloud]]]:
+        """Every unit with the points of its sightings, in the order in which they are read with least effort."""
         for unit in self.reading:
-            yield unit, [self.observe(k, float(noise[self.sightings[k].epoch])) for k in self.order[unit]]
+            yield unit, [self.sightings[k].cloud.read() for k in self.order[unit]]
 
-    def observe(self, number: int, noise: float) -> StripObservations:
+    def observed(self, unit: int, clouds: Sequence[ReadCloud], noise: FloatArray, derived: bool = True) -> list[StripObservations]:
+        """Observations of a unit by sighting, with derivatives where ``derived``; ``noise`` by epoch sets how near to a crease points are
+        left out."""
+        parts = zip(self.order[unit], clouds, strict=True)
+        return [self.observe(k, cloud, float(noise[self.sightings[k].epoch]), derived) for k, cloud in parts]
+
+    def observe(self, number: int, cloud: ReadCloud, noise: float, derived: bool) -> StripObservations:
         s = self.sightings[number]
         unit = s.shape
         grown = 1 + self.scales[s.unit]
         margin = 0.03 * unit.radius if math.isnan(noise) else max(1.5 * noise, 0.01 * unit.radius)
-        points, sources = s.cloud.read()
+        points, sources = cloud
         offsets = self.offsets_at(s.unit)
         strips = np.zeros(0, dtype=np.int64) if not len(sources) else self.strips_of[number][np.searchsorted(s.cloud.ids, sources)]
         body = Body(
@@ -137,7 +151,8 @@ class _JointSolver:
             gradient=unit.gradient,
             length=unit.leg_length * grown,
         )
-        return observations(points, strips, offsets, body, margin=margin, tip=TIP_RATIO * unit.leg_length * grown)
+        tip = TIP_RATIO * unit.leg_length * grown
+        return observations(points, strips, offsets, body, margin=margin, tip=tip, derived=derived)
 
     def estimate_noise(self) -> None:
         """Noise by epoch from residuals less their patch's mean; spread of the patches beyond what noise explains."""
@@ -146,9 +161,15 @@ class _JointSolver:
         spread, share = StreamedMedian(), StreamedMedian()
         settled = False
         while not settled:
-            for unit, sightings in self.observed(before):
-                for k, seen in zip(self.order[unit], sightings, strict=True):
-                    self._add_deviations(seen, within[self.sightings[k].epoch], spread, share)
+            deviations = side_by_side(
+                lambda item: (item[0], [_deviations(seen) for seen in self.observed(*item, before, derived=False)]),
+                self.clouds(),
+            )
+            for unit, parts in deviations:
+                for k, part in zip(self.order[unit], parts, strict=True):
+                    if part is not None:
+                        for median, numbers in zip((within[self.sightings[k].epoch], spread, share), part, strict=True):
+                            median.add(numbers)
             # every one has to be asked: the answer is what makes it look closer
             settled = {median.settled() for median in (*within, spread, share)} == {True}
         for epoch, median in enumerate(within):
@@ -163,27 +184,7 @@ class _JointSolver:
         beyond = 0.0 if math.isnan(spread.value) else (MAD_TO_SD * spread.value) ** 2 - noise**2 * share.value
         self.surface_sd = math.sqrt(max(beyond, (0.05 * noise) ** 2))
 
-    @staticmethod
-    def _add_deviations(seen: StripObservations, within: StreamedMedian, spread: StreamedMedian, share: StreamedMedian) -> None:
-        """Deviations of one sighting's points from the means of their patches, of these means from the cones, and one over the points of
-        each patch.
-        """
-        good = seen.patches >= 0
-        if good.sum() < 10:
-            return
-        e, p = seen.residuals[good], seen.patches[good]
-        keep = np.abs(e) < 6 * MAD_TO_SD * np.median(np.abs(e))
-        e, p = e[keep], p[keep]
-        counts = np.bincount(p, minlength=4 * LEG_CELLS)
-        sums = np.bincount(p, e, minlength=4 * LEG_CELLS)
-        mean = sums / np.maximum(counts, 1)
-        full = counts >= 4
-        inside = full[p]
-        within.add(np.abs((e - mean[p])[inside] * np.sqrt(counts[p] / np.maximum(counts[p] - 1, 1))[inside]))
-        spread.add(np.abs(mean[full]))
-        share.add(1 / counts[full])
-
-    def equations(self, unit: int, sightings: Sequence[StripObservations]) -> tuple[FloatArray, FloatArray, IntArray]:
+    def equations(self, unit: int, sightings: Sequence[StripObservations]) -> UnitReduction:
         """Normal equations of one unit after elimination of its patches: poses, scale, then its strips (global numbers returned)."""
         members = self.order[unit]
         touched = np.unique(np.concatenate([self.strips_of[k] for k in members]))
@@ -207,11 +208,24 @@ class _JointSolver:
                 (body, n_pose, local),
             )
             cells.append(sums)
-        normal, rhs = surface.reduced(unit, self.scales[unit], normal, rhs, cells, n_pose + 1)
+        found = surface.reduced(unit, normal, rhs, cells)
+        normal, rhs = found.normal, found.rhs
         mean, sd = (surface.model.size_mean, surface.model.size_sd) if self.scale_sd is None else (0.0, max(self.scale_sd, 1e-9))
         normal[n_pose, n_pose] += 1 / sd**2
         rhs[n_pose] -= (self.scales[unit] - mean) / sd**2
-        return normal, rhs, touched
+        own = n_pose + 1
+        inverse = _inverse(normal[:own, :own], self.sightings[members[0]].shape.leg_length)
+        # copies: a view would keep the whole of the unit's equations in memory
+        coupling = normal[:own, own:].copy()
+        block = UnitBlock(
+            inverse_upper=inverse[np.triu_indices(own)],
+            coupling=coupling,
+            rhs=rhs[:own].copy(),
+            strips=touched,
+            strip_upper=(normal[own:, own:] - coupling.T @ inverse @ coupling)[np.triu_indices(size - own)],
+            strip_rhs=rhs[own:] - coupling.T @ inverse @ rhs[:own],
+        )
+        return UnitReduction(block, found, cells)
 
     def offset_prior(self) -> FloatArray:
         """(3 s,) weights of the pseudo-observations."""
@@ -269,20 +283,11 @@ class _JointSolver:
     def reduce(self, noise: FloatArray) -> dict[int, UnitBlock]:
         """Eliminate the units, observed with the ``noise`` by epoch: their blocks, and what each says of its strips."""
         blocks = {}
-        for unit, sightings in self.observed(noise):
-            normal, rhs, touched = self.equations(unit, sightings)
-            own = 6 * len(self.order[unit]) + 1
-            inverse = _inverse(normal[:own, :own], self.sightings[self.order[unit][0]].shape.leg_length)
-            # copies: a view would keep the whole of the unit's equations in memory
-            coupling = normal[:own, own:].copy()
-            blocks[unit] = UnitBlock(
-                inverse_upper=inverse[np.triu_indices(own)],
-                coupling=coupling,
-                rhs=rhs[:own].copy(),
-                strips=touched,
-                strip_upper=(normal[own:, own:] - coupling.T @ inverse @ coupling)[np.triu_indices(normal.shape[0] - own)],
-                strip_rhs=rhs[own:] - coupling.T @ inverse @ rhs[:own],
-            )
+        reductions = side_by_side(lambda item: (item[0], self.equations(item[0], self.observed(*item, noise))), self.clouds())
+        for unit, reduction in reductions:
+            surface = self.surfaces[self.sightings[self.order[unit][0]].shape]
+            surface.keep(unit, self.scales[unit], reduction.surface, reduction.cells, len(reduction.block.rhs))
+            blocks[unit] = reduction.block
         return blocks
 
     def strip_system(self, blocks: Mapping[int, UnitBlock]) -> StripSystem:
@@ -355,3 +360,22 @@ def _inverse(normal: FloatArray, length: float) -> FloatArray:
     poses = (len(normal) - 1) // 6
     prior = np.array(([1 / length**2] * 3 + [1.0] * 3) * poses + [0.0])
     return np.asarray(np.linalg.inv(normal + np.diag(prior)))
+
+
+def _deviations(seen: StripObservations) -> tuple[FloatArray, FloatArray, FloatArray] | None:
+    """Absolute deviations of one sighting's points from the means of their patches, of these means from the cones, and one over the points
+    of each patch; None where too few points are seen.
+    """
+    good = seen.patches >= 0
+    if good.sum() < 10:
+        return None
+    e, p = seen.residuals[good], seen.patches[good]
+    keep = np.abs(e) < 6 * MAD_TO_SD * np.median(np.abs(e))
+    e, p = e[keep], p[keep]
+    counts = np.bincount(p, minlength=4 * LEG_CELLS)
+    sums = np.bincount(p, e, minlength=4 * LEG_CELLS)
+    mean = sums / np.maximum(counts, 1)
+    full = counts >= 4
+    inside = full[p]
+    about_mean = (e - mean[p])[inside] * np.sqrt(counts[p] / np.maximum(counts[p] - 1, 1))[inside]
+    return np.abs(about_mean), np.abs(mean[full]), 1 / counts[full]

@@ -16,6 +16,7 @@ from scipy.linalg import block_diag
 from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray, IntArray
+from ..common.kernels import side_by_side
 from ..model.feature_points import FEATURES, FeaturePoints, feature_points
 from ..model.mould import Mould
 from ..model.tetrapod import distance_to_surface
@@ -348,25 +349,26 @@ def _cross_checks(
     seen: Sequence[dict[int, FittedUnit]], joint: JointAdjustment, numbers: dict[tuple[int, int], int], epochs: int
 ) -> dict[tuple[int, int, int], CrossCheck]:
     """Displacements of all units between consecutive epochs by direct registration of their points."""
-    checks = {}
+    checks: dict[tuple[int, int, int], CrossCheck] = {}
+    difference = np.hstack([-np.eye(3), np.zeros((3, 3)), np.eye(3), np.zeros((3, 3))])
     for first, second in zip(range(epochs - 1), range(1, epochs), strict=True):
         both = [k for k, own in enumerate(seen) if first in own and second in own and (own[first].certain or own[second].certain)]
-        for unit in by_home((k, (seen[k][first].cloud, seen[k][second].cloud)) for k in both):
-            own = seen[unit]
-            if not (own[first].cloud.has_points and own[second].cloud.has_points):
-                continue
-            noise = float(np.nanmax(joint.noise[[first, second]]))
+        order = by_home((k, (seen[k][first].cloud, seen[k][second].cloud)) for k in both)
+        order = [k for k in order if seen[k][first].cloud.has_points and seen[k][second].cloud.has_points]
+        noise = float(np.nanmax(joint.noise[[first, second]])) if order else 0.0
+
+        def registered(
+            item: tuple[int, FloatArray, FloatArray], first: int = first, second: int = second, noise: float = noise
+        ) -> CrossCheck:
+            unit, before, after = item
             a, b = numbers[unit, first], numbers[unit, second]
-            block = joint_block(joint, unit, a, b)
-            difference = np.hstack([-np.eye(3), np.zeros((3, 3)), np.eye(3), np.zeros((3, 3))])
-            checks[first, second, unit] = cross_check(
-                _without_offsets(own[first], unit, first, joint),
-                _without_offsets(own[second], unit, second, joint),
-                joint.poses[a],
-                joint.poses[b],
-                difference @ block @ difference.T,
-                noise,
-            )
+            covariance = difference @ joint_block(joint, unit, a, b) @ difference.T
+            return cross_check(before, after, joint.poses[a], joint.poses[b], covariance, noise)
+
+        clouds = (
+            (k, _without_offsets(seen[k][first], k, first, joint), _without_offsets(seen[k][second], k, second, joint)) for k in order
+        )
+        checks |= {(first, second, k): check for k, check in zip(order, side_by_side(registered, clouds), strict=True)}
     return checks
 
 

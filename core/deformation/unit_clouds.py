@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from ..common.arrays import FloatArray
 
 Sources = NDArray[np.integer]
+ReadCloud = tuple[FloatArray, Sources]
+"""(n, 3) points in metres and their (n,) strips or stations."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +31,7 @@ class UnitCloud:
     """
 
     ids: Sources
-    read: Callable[[], tuple[FloatArray, Sources]]
+    read: Callable[[], ReadCloud]
     home: tuple[int, ...] = ()
 
     @property

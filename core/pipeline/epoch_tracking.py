@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -15,13 +15,14 @@ from ..adjustment.surface_estimation import LEAST_MOULD_UNITS
 from ..common.arrays import FloatArray
 from ..common.feedback import Feedback
 from ..data.survey import Survey
-from ..data.tiles import PointCloud, read_points
+from ..data.tiles import read_points
+from ..data.window_around import WindowAround
 from ..deformation.displacement import grades_from
 from ..deformation.epoch_frames import TargetShifts
 from ..deformation.fitted_unit import FittedUnit
 from ..deformation.tracked_epoch import TrackedEpoch
 from ..deformation.tracking import Surroundings, Tracking, track
-from ..deformation.unit_clouds import UnitCloud
+from ..deformation.unit_clouds import ReadCloud, UnitCloud
 from ..deformation.validation import CheckResidual, check_residuals, checked_displacements, read_check, residual_rows, summarise
 from ..model.unit_types import UnitType
 from ..registration.control import DISTURBED, Registration
@@ -35,7 +36,7 @@ from .frame_table import frame_error_rows, frame_settings, stretch_rows
 Tables = dict[str, list[dict[str, Any]]]
 
 HELD_POINTS = 1_000_000
-"""Points of clouds that are kept for the next question, some 40 MB."""
+"""Points of units that are kept for the next look at them, some 25 MB: a joint adjustment looks a dozen times."""
 FEW_UNITS = 10
 """Units of a pair below which the prior of the calibration counts about as much as they do: thirty components for its four parameters."""
 
@@ -51,7 +52,8 @@ def track_tables(
     centres = np.concatenate([epoch.table["poses"][:, :3] for epoch in fitted])
     origin = np.round(centres.mean(axis=0)) if len(centres) else np.zeros(3)
     labels = [e.plan.epoch.label for e in fitted]
-    placed = [_tracked_epoch(k, e, registrations.get(e.plan.epoch.label), units, origin, labels) for k, e in enumerate(fitted)]
+    held = _HeldClouds()
+    placed = [_tracked_epoch(k, e, registrations.get(e.plan.epoch.label), units, origin, labels, held) for k, e in enumerate(fitted)]
     moulds = tuple(unit.mould for unit in survey.units)
     result = track(placed, units, _surroundings(survey, fitted, registrations, origin, feedback), survey.frame, moulds)
     _say_what_rests_on_experience(result, labels, feedback)
@@ -115,6 +117,24 @@ def _say_what_rests_on_experience(result: Tracking, labels: Sequence[str], feedb
             feedback.info(f"{shape.name}: no mould is learned of {surface.units} units; castings are taken to vary as elsewhere")
 
 
+class _HeldClouds:
+    """Clouds of units that stay in memory, as many as it may take."""
+
+    def __init__(self) -> None:
+        self._left = HELD_POINTS
+        self._held: dict[tuple[int, int], ReadCloud] = {}
+
+    def read(self, key: tuple[int, int], anew: Callable[[], ReadCloud]) -> ReadCloud:
+        """The cloud of a unit by epoch and row, read ``anew`` where it is not held."""
+        if key in self._held:
+            return self._held[key]
+        cloud = anew()
+        if len(cloud[0]) <= self._left:
+            self._left -= len(cloud[0])
+            self._held[key] = cloud
+        return cloud
+
+
 def _tracked_epoch(
     number: int,
     epoch: EpochUnits,
@@ -122,6 +142,7 @@ def _tracked_epoch(
     units: tuple[UnitType, ...],
     origin: FloatArray,
     labels: Sequence[str],
+    held: _HeldClouds,
 ) -> TrackedEpoch:
     """Units of an epoch (its number) with their clouds in the control frame, less the common reduction point."""
     known = None if registration is None else registration.transformation
@@ -131,11 +152,11 @@ def _tracked_epoch(
     points_of = epoch.reader()
 
     def cloud(row: int, ids: NDArray[np.uint16]) -> UnitCloud:
-        def read() -> tuple[FloatArray, NDArray[np.uint16]]:
+        def read() -> ReadCloud:
             points, sources = points_of(row)
             return transformation.apply(points) - origin, sources
 
-        return UnitCloud(ids, read, (number, int(epoch.places[row, 0])))
+        return UnitCloud(ids, lambda: held.read((number, row), read), (number, int(epoch.places[row, 0])))
 
     found: dict[int, FittedUnit] = {}
     for row, ids in epoch.source_ids():
@@ -212,17 +233,6 @@ def _surroundings(
     survey: Survey, epochs: Sequence[EpochUnits], registrations: Mapping[str, Registration], origin: FloatArray, feedback: Feedback
 ) -> Surroundings:
     """Reader of an epoch's cloud around places, for :func:`tetratrack.core.deformation.tracking.track`."""
-    held: dict[tuple[int, int], PointCloud] = {}
-
-    def cloud_of(number: int, place: int) -> PointCloud:
-        # a block is asked for from the epoch that misses units and from those that show them
-        if (number, place) not in held:
-            block = epochs[number].plan.blocks[place]
-            cloud = read_points(block.tiles, survey.crs, window=block.core, origin=origin)
-            while held and sum(map(len, held.values())) + len(cloud) > HELD_POINTS:
-                del held[next(iter(held))]
-            held[number, place] = cloud
-        return held[number, place]
 
     def read(number: int, places: FloatArray, reach: float) -> tuple[FloatArray, NDArray[np.integer[Any]]]:
         plan = epochs[number].plan
@@ -232,11 +242,11 @@ def _surroundings(
         tree = cKDTree(where - origin)
         parts: list[FloatArray] = []
         sources: list[NDArray[np.integer[Any]]] = []
-        for place, block in enumerate(plan.blocks):
+        for block in plan.blocks:
             if not block.core.grown(reach).contains(where).any():
                 continue
             feedback.check()
-            cloud = cloud_of(number, place)
+            cloud = read_points(block.tiles, survey.crs, window=WindowAround.of(block.core, where, reach), origin=origin)
             near = np.isfinite(tree.query(cloud.xyz, distance_upper_bound=reach)[0])
             parts.append(transformation.apply(cloud.xyz[near] + origin) - origin)
             sources.append(cloud.source_id[near])

@@ -16,6 +16,7 @@ import numpy as np
 from ..armour.placement_rows import placement_rows, size_of_type
 from ..common.errors import InputError
 from ..common.feedback import Feedback
+from ..common.kernels import threads_of_kernels
 from ..common.output_files import check_targets
 from ..data.survey import Survey
 from ..model.feature_points import FEATURES
@@ -137,7 +138,9 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         warn_of_empty(survey, [epoch.plan for epoch in fitted if not len(epoch)], feedback)
         registrations = align_epochs(survey, fitted, registrations, feedback)
         feedback.progress(start, "tracking units")
-        tables, summary = track_tables(survey, fitted, fitted[0].units, registrations, feedback)
+        with threads_of_kernels(runner.workers):
+            # the workers wait meanwhile
+            tables, summary = track_tables(survey, fitted, fitted[0].units, registrations, feedback)
         registrations = registrations | summary["registrations"]
         feedback.progress(1 - 3 * SHARES["write"], "looking for gaps")
         when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
