@@ -78,8 +78,9 @@ def threads_of_kernels(count: int) -> Iterator[None]:
 def side_by_side(work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
     """What ``work`` makes of each item, in the order of the items, on as many threads as kernels may use.
 
-    Items are drawn by the caller's thread, two a thread ahead of the results. It pays where most of the work is in large arrays, linear
-    algebra and kernels that let other threads of Python go on (``releases``); parallel kernels must not be called in it.
+    Items are drawn by the caller's thread, at most one more than there are threads ahead of the results. It pays where most of the work
+    is in large arrays, linear algebra and kernels that let other threads of Python go on (``releases``); parallel kernels must not be
+    called in it.
     """
     threads = numba.get_num_threads()
     if threads == 1:
@@ -90,7 +91,7 @@ def side_by_side(work: Callable[[Item], Result], items: Iterable[Item]) -> Itera
         try:
             for item in items:
                 waiting.append(pool.submit(work, item))
-                if len(waiting) > 2 * threads:
+                if len(waiting) > threads:
                     yield waiting.popleft().result()
             while waiting:
                 yield waiting.popleft().result()

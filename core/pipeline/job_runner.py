@@ -83,6 +83,7 @@ class JobRunner:
     workers: int = 1
     scheduler: str | None = None
     is_cancelled: Callable[[], bool] = lambda: False
+    _beside: Callable[[], None] | None = field(default=None, init=False, repr=False)
     _pool: ProcessPoolExecutor | None = field(default=None, init=False, repr=False)
     _strangers: frozenset[Any] = field(default=frozenset(), init=False, repr=False)
     _processes: frozenset[Any] = field(default=frozenset(), init=False, repr=False)
@@ -99,6 +100,13 @@ class JobRunner:
             self._pool.shutdown(wait=True, cancel_futures=True)
             self._pool = None
 
+    def beside(self, work: Callable[[], None]) -> None:
+        """Have the caller's own work done during the next :meth:`run`: while processes are busy, or before its jobs where there are none.
+
+        What it raises ends that run.
+        """
+        self._beside = work
+
     def run(self, jobs: Sequence[Job], progress: Callable[[int, int], None] = lambda done, total: None) -> list[Path]:
         """Run what is not done yet; returns the result files in the order of the jobs.
 
@@ -113,16 +121,20 @@ class JobRunner:
         todo = [(job, path) for job, path in zip(jobs, paths, strict=True) if load_arrays(path) is None]
         done = len(jobs) - len(todo)
         progress(done, len(jobs))
-        if self.scheduler is not None:
-            finished = self._on_cluster(todo)
-        elif self.workers > 1 and len(todo) > 1:
+        if self.scheduler is None and self.workers > 1 and len(todo) > 1:
             finished = self._in_processes(todo)
         else:
-            finished = self._here(todo)
+            self._work_beside()
+            finished = self._here(todo) if self.scheduler is None else self._on_cluster(todo)
         for _ in finished:
             done += 1
             progress(done, len(jobs))
         return paths
+
+    def _work_beside(self) -> None:
+        work, self._beside = self._beside, None
+        if work is not None:
+            work()
 
     def _here(self, tasks: Sequence[Task]) -> Iterator[None]:
         for task in tasks:
@@ -158,6 +170,9 @@ class JobRunner:
         clean = False
         try:
             pending = self._submitted(tasks)
+            # the cores are the workers' now
+            with threads_of_kernels(1):
+                self._work_beside()
             while pending:
                 done, _ = wait(pending, timeout=0.2, return_when=FIRST_COMPLETED)
                 for future in done:

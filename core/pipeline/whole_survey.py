@@ -21,6 +21,7 @@ from ..common.output_files import check_targets
 from ..data.survey import Survey
 from ..model.feature_points import FEATURES
 from ..model.pose import Pose
+from ..registration.control import Registration
 from ..results.field_checks import foreign_contents
 from ..results.geopackage_reader import table_names
 from ..results.geopackage_writer import check_output, from_upper_triangle, write_result
@@ -126,18 +127,23 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
     plans = plan_survey(survey, feedback.part(0, start))
     if len(plans) == 1:
         feedback.info("one epoch: units and feature points are found; displacements need a second one")
-    check_sizes(survey, plans[0].tiles, feedback.part(start, start))
     record = record_run(
         survey,
         options.seed,
         {"step": "run", "survey": survey.name, "unit": [repr(unit) for unit in survey.units], "leg_length": survey.unit.leg_length},
     )
-    registrations = register_epochs(survey, plans, feedback)
+    registrations: dict[str, Registration] = {}
+
+    def look_beside() -> None:
+        check_sizes(survey, plans[0].tiles, feedback.part(start, start))
+        registrations.update(register_epochs(survey, plans, feedback))
+
     with job_runner(output, options, feedback) as runner:
-        fitted, calibration = find_and_fit(survey, plans, record, runner, feedback.part(start, start := start + SHARES["fit"]))
+        runner.beside(look_beside)
+        fitted, calibration = find_and_fit(survey, plans, record, runner, feedback.part(start, start + SHARES["fit"]))
         warn_of_empty(survey, [epoch.plan for epoch in fitted if not len(epoch)], feedback)
         registrations = align_epochs(survey, fitted, registrations, feedback)
-        feedback.progress(start, "tracking units")
+        feedback.progress(start + SHARES["fit"], "tracking units")
         with threads_of_kernels(runner.workers):
             # the workers wait meanwhile
             tables, summary = track_tables(survey, fitted, fitted[0].units, registrations, feedback)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -270,3 +271,57 @@ def test_the_end_of_another_leg_is_kept_with_the_only_leg_whose_sides_are_seen(t
     # but for its rim
     assert np.count_nonzero(kept == 2) > 0.5 * end.sum()
     assert np.linalg.norm(fitted["poses"][0, :3] + fitted["origin"] - pose.centre) < 0.005
+
+
+@dataclass(frozen=True)
+class Waiting:
+    """Ends once a file is there that somebody else writes."""
+
+    number: int
+    mark: str
+
+    @property
+    def name(self) -> str:
+        return f"waiting-{self.number}.npz"
+
+    def run(self) -> dict:
+        until = time.monotonic() + 60
+        while not Path(self.mark).exists():
+            if time.monotonic() > until:
+                raise InputError("nobody wrote it", source=Path(self.mark))
+            time.sleep(0.01)
+        return {"number": np.array(self.number)}
+
+
+def test_the_caller_works_beside_busy_processes(tmp_path):
+    mark = tmp_path / "mark"
+    with JobRunner(tmp_path, workers=2) as runner:
+        runner.beside(mark.touch)
+        assert len(runner.run([Waiting(k, str(mark)) for k in range(2)])) == 2
+        mark.unlink()
+        # done once
+        runner.run([Square(k) for k in range(2)])
+        assert not mark.exists()
+
+
+def test_the_callers_work_comes_first_where_jobs_run_here(tmp_path):
+    mark = tmp_path / "mark"
+    with JobRunner(tmp_path, workers=1) as runner:
+        runner.beside(mark.touch)
+        runner.run([Waiting(0, str(mark))])
+        mark.unlink()
+        runner.beside(mark.touch)
+        runner.run([Waiting(0, str(mark))])
+        assert mark.exists()
+
+
+def test_a_fault_of_the_callers_work_ends_the_processes(tmp_path):
+    def fault() -> None:
+        raise InputError("wrong size", source=tmp_path)
+
+    before = set(multiprocessing.active_children())
+    with JobRunner(tmp_path, workers=2) as runner:
+        runner.beside(fault)
+        with pytest.raises(InputError, match="wrong size"):
+            runner.run([Waiting(k, str(tmp_path / "never")) for k in range(2)])
+        assert set(multiprocessing.active_children()) <= before
