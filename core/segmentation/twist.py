@@ -30,8 +30,11 @@ TURN = 2 * np.pi / 3
 STEPS = 30
 """Twists looked at, four degrees apart."""
 ANGLES = np.arange(STEPS) * TURN / STEPS
-WORTH_SCALE = 0.04
-"""Share of its worth that makes a twist less likely by a factor e: a few of a hundred elements, which chance easily aligns."""
+WORTH_SCALE, MOST_ALIGNED = 0.04, 4.0
+"""Share of its worth that makes a twist less likely by a factor e, a few of a hundred elements, which chance easily aligns; and elements that
+do so at the most: those of the leg that is turned about fit at every twist and say nothing, however many they are. Of 104 units of twelve
+simulated surveys with one or two legs that show, 2 elements explain the true twists best and 4 nearly as well; 34 of the 64 with two legs
+have more than 300 elements, and all 64 have their true twist where most elements fit."""
 ROOM_SD = 0.015
 """Share of a unit's volume by which true neighbours seem to enter each other, as poses are not exact (standard deviation)."""
 SURELY_NOT = 1e-12
@@ -146,8 +149,8 @@ def log_likelihood(found: Evidence, tolerance: float) -> FloatArray:
 
 def twist_of(values: FloatArray, entered: FloatArray, unit: UnitType) -> Twist:
     """What (STEPS,) worths and shares of volume inside neighbours say of the twist, each step as likely as any before."""
-    loss = 1 - values / max(float(values.max()), 1e-9)
-    exponent = loss / WORTH_SCALE + 0.5 * (entered / ROOM_SD) ** 2
+    most = float(values.max())
+    exponent = (most - values) / min(WORTH_SCALE * max(most, 1e-9), MOST_ALIGNED) + 0.5 * (entered / ROOM_SD) ** 2
     likely = np.exp(exponent.min() - exponent)
     likely /= likely.sum()
     mean = float(np.angle(np.sum(likely * np.exp(3j * ANGLES))) / 3)
