@@ -31,10 +31,10 @@ STEPS = 30
 """Twists looked at, four degrees apart."""
 ANGLES = np.arange(STEPS) * TURN / STEPS
 WORTH_SCALE, MOST_ALIGNED = 0.04, 4.0
-"""Share of its worth that makes a twist less likely by a factor e, a few of a hundred elements, which chance easily aligns; and elements that
-do so at the most: those of the leg that is turned about fit at every twist and say nothing, however many they are. Of 104 units of twelve
-simulated surveys with one or two legs that show, 2 elements explain the true twists best and 4 nearly as well; 34 of the 64 with two legs
-have more than 300 elements, and all 64 have their true twist where most elements fit."""
+"""Share of its worth that makes a twist less likely by a factor e, a few of a hundred elements, which chance easily aligns; and elements
+that do so at the most: those of the leg that is turned about fit at every twist and say nothing, however many they are. Of 104 units of
+twelve simulated surveys with one or two legs that show, 2 elements explain the true twists best and 4 nearly as well; 34 of the 64 with two
+legs have more than 300 elements, and all 64 have their true twist where most elements fit."""
 ROOM_SD = 0.015
 """Share of a unit's volume by which true neighbours seem to enter each other, as poses are not exact (standard deviation)."""
 SURELY_NOT = 1e-12
