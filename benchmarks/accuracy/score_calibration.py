@@ -8,7 +8,8 @@ with less than 5 % of their surface seen, and poses whose twist no leg determine
 of their own, fitted to thinned and noised copies (``poor_copies.py``) of surveys and of rock. With ``--among`` the sure units around
 a pose, sure by the weights fitted first, are a feature too, and the misfit typical of the cloud is none: those are the weights of clouds
 whose noise was taken off. With ``--bridged`` what the rich model says, extent and support are the features, of surveys simulated with
-``--bridging`` and of rock.
+``--bridging`` and of rock. With ``--residuals`` they are what the score says without the raw points and how these lie to the pose, of
+clouds whose noise was taken off.
 """
 
 from __future__ import annotations
@@ -25,8 +26,15 @@ import numpy as np
 from scipy.optimize import minimize
 from scipy.spatial.transform import Rotation
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.pose_score import SURE_ALONE, among_feature, bridged_features, score_features
-from tetratrack.core.segmentation.segment import judge_poses
+from tetratrack.core.segmentation.pose_score import (
+    SURE_ALONE,
+    among_feature,
+    bridged_features,
+    residual_features,
+    score_among,
+    score_features,
+)
+from tetratrack.core.segmentation.segment import JudgedPoses, judge_poses
 
 RIGHT_CENTRE, RIGHT_ANGLE = 0.2, np.radians(15)
 """A pose is right within this share of the height and this angle, of the nearest truth; registration errors are far below both."""
@@ -52,8 +60,8 @@ class EpochRows:
         return np.column_stack([self.features, among_feature(self.centres, sure, self.unit)])
 
 
-def survey_rows(folder: Path, *, bridged: bool = False) -> list[EpochRows]:
-    """All epochs of a survey; poses of units that are hardly seen are left out. ``bridged`` for the features of such clouds."""
+def survey_rows(folder: Path, kind: str = "elements") -> list[EpochRows]:
+    """All epochs of a survey; poses of units that are hardly seen are left out. ``kind`` of features: ``bridged``, ``residuals``."""
     settings = tomllib.loads((folder / "survey.toml").read_text())
     unit = UnitType.tetrapod(**{k: v for k, v in settings["unit"].items() if k in ("height", "radius", "gradient", "leg_length")})
     epochs = []
@@ -67,7 +75,7 @@ def survey_rows(folder: Path, *, bridged: bool = False) -> list[EpochRows]:
         kept = np.array([k for k, verdict in verdicts.items() if verdict is not None], dtype=np.int64)
         epochs.append(
             EpochRows(
-                (bridged_features if bridged else score_features)(judged.evidence[kept], judged.tolerance, judged.typical),
+                _features(judged, unit, kind)[kept],
                 np.array([bool(verdicts[int(k)]) for k in kept], dtype=bool),
                 judged.certainty[kept],
                 judged.poses[kept, :3],
@@ -75,6 +83,17 @@ def survey_rows(folder: Path, *, bridged: bool = False) -> list[EpochRows]:
             )
         )
     return epochs
+
+
+def _features(judged: JudgedPoses, unit: UnitType, kind: str) -> np.ndarray:
+    """Of every pose of a cloud."""
+    if kind == "residuals":
+        if judged.residuals is None:
+            raise SystemExit("raw residuals are of clouds whose noise was taken off")
+        return residual_features(
+            score_among(judged.evidence, judged.poses[:, :3], judged.tolerance, judged.typical, unit), judged.residuals
+        )
+    return (bridged_features if kind == "bridged" else score_features)(judged.evidence, judged.tolerance, judged.typical)
 
 
 def _truth(folder: Path, label: str) -> list[tuple[np.ndarray, np.ndarray, float]]:
@@ -152,11 +171,12 @@ def main() -> None:
     parser.add_argument("--wrong", type=float, default=2.0, metavar="WEIGHT", help="of a wrong pose against a right one; 1 in poor clouds")
     parser.add_argument("--check", nargs="*", type=Path, default=[], metavar="SURVEY", help="folders to check them on")
     parser.add_argument("--among", action="store_true", help="fit weights with the sure units around a pose as well")
-    parser.add_argument("--bridged", action="store_true", help="fit the weights of clouds whose gaps are bridged")
+    kinds = parser.add_mutually_exclusive_group()
+    kinds.add_argument("--bridged", action="store_true", help="fit the weights of clouds whose gaps are bridged")
+    kinds.add_argument("--residuals", action="store_true", help="fit the weights of raw residuals")
     arguments = parser.parse_args()
-    fitted, checked = (
-        [e for folder in some for e in survey_rows(folder, bridged=arguments.bridged)] for some in (arguments.fit, arguments.check)
-    )
+    kind = "bridged" if arguments.bridged else "residuals" if arguments.residuals else "elements"
+    fitted, checked = ([e for folder in some for e in survey_rows(folder, kind)] for some in (arguments.fit, arguments.check))
     if arguments.among:
         for epoch in fitted + checked:
             epoch.features[:, TYPICAL_MISFIT] = 0

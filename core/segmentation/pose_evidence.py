@@ -20,6 +20,10 @@ AZIMUTH_CELLS, AXIAL_CELLS = 8, 4
 CELLS_PER_LEG = AZIMUTH_CELLS * AXIAL_CELLS + 1
 
 NUMBER_OF_CELLS = 4 * CELLS_PER_LEG
+INNER_RATIO = 0.2
+"""Coordinate along a leg, as a share of the height, from which its cells count: below, the legs meet."""
+OUTER_SHARE = 0.6
+"""Of a leg's length, beyond which it may be broken off."""
 
 BLURRED_FROM, BLURRED_WHOLLY = 0.07, 0.09
 """Radii of the neighbourhoods of normals, as shares of the height, from which their blur at creases is allowed for, and wholly so: below,
@@ -84,7 +88,7 @@ def _evidence_of_one(out: Any, pose: Any, elements: Any, active: Any, grid: Any,
     tolerance, seen, blurred, across = limits
     first, second = across[0], across[1]
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
-    low = 0.2 * height
+    low = INNER_RATIO * height
     reach = 0.75 * height
     lo = np.empty(3, dtype=np.int64)
     hi = np.empty(3, dtype=np.int64)
@@ -94,7 +98,7 @@ def _evidence_of_one(out: Any, pose: Any, elements: Any, active: Any, grid: Any,
     if hi[2] < lo[2]:
         return
     cells = np.zeros(NUMBER_OF_CELLS, dtype=np.int64)
-    outer = 0.6 * length
+    outer = OUTER_SHARE * length
     rounded = (1.0 - seen * (1.0 - TIP_RATIO)) * length
     # where two legs meet they are concave: so far from there the sense of curvature tells nothing
     half = np.sqrt(0.5 + 0.5 * (legs[0, 0] * legs[1, 0] + legs[0, 1] * legs[1, 1] + legs[0, 2] * legs[1, 2]))

@@ -15,7 +15,8 @@ from .assembly import poses_from_pairs, poses_from_single_legs
 from .conic_ransac import find_legs
 from .pose_evidence import NUMBER_OF_CELLS, evidence
 from .pose_refinement import refine
-from .pose_score import SPARSE, SURE_ALONE, TypicalUnit, is_sparse, score, score_among, typical_unit, where_bridged
+from .pose_score import SPARSE, SURE_ALONE, TypicalUnit, is_sparse, score, score_among, score_with_residuals, typical_unit, where_bridged
+from .raw_residuals import raw_residuals
 from .scene import COLUMNS, Evidence, Scene
 from .smoothed_surface import NOISY_RATIO, smoothed
 from .surface_elements import SurfaceElements, surface_elements
@@ -49,8 +50,9 @@ FEWEST_FOUND_CELLS = 8
 were rock that fits by chance, one of 1980 others was. Where another epoch shows the unit, that makes it found."""
 ELEMENTS_OF_DENSE_CELL = 18.0
 """Supporting elements per cell of sure units in the clouds on which these were counted; see :func:`fewest_found_cells`."""
-MOST_INTERPENETRATION = 0.01
-"""Share of its volume by which the weaker of two units may enter the stronger and still be stated as found."""
+MOST_INTERPENETRATION, MOST_IN_NOISE = 0.01, 0.02
+"""Share of its volume by which the weaker of two units may enter the stronger and still be stated as found, the second where noise was
+taken off the elements: poses are less exact there, and in noise of 3.3 % of the height units that touch seem to enter each other so far."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -101,6 +103,10 @@ class JudgedPoses:
         (k, 12) centre and rotation by rows, reduced frame.
     evidence
         For each.
+    scores
+        (k,) 0..1, how sure each is that of a unit, whatever its twist.
+    residuals
+        (k, 3) how raw points lie to each where noise was taken off the elements: see ``raw_residuals``.
     certainty
         (k,) 0..1, how far the turn about a leg is known: see ``twist``.
     tolerance
@@ -113,6 +119,8 @@ class JudgedPoses:
     elements: SurfaceElements
     poses: FloatArray
     evidence: Evidence
+    scores: FloatArray
+    residuals: FloatArray | None
     certainty: FloatArray
     tolerance: float
     typical: TypicalUnit
@@ -183,10 +191,22 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     chosen = select(candidates, scene, active, poses[~unlikely])
     poses, found, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), scene, rounds=2)
     typical = where_bridged(typical_unit(found, scene), found)
-    sure = score_among(found, poses[:, :3], scene.tolerance, typical, unit) >= FOUND_SCORE
-    poses, certainty = settle_twists(poses, found, sure, scene, owner)
+    scores = score_among(found, poses[:, :3], scene.tolerance, typical, unit)
+    residuals = None
+    if scene.smoothed:
+        residuals = raw_residuals(points, poses, unit, thinned.noise)
+        scores = score_with_residuals(scores, residuals)
+    poses, certainty = settle_twists(poses, found, scores >= FOUND_SCORE, scene, owner)
     return JudgedPoses(
-        thinned=thinned, elements=elements, poses=poses, evidence=found, certainty=certainty, tolerance=scene.tolerance, typical=typical
+        thinned=thinned,
+        elements=elements,
+        poses=poses,
+        evidence=found,
+        scores=scores,
+        residuals=residuals,
+        certainty=certainty,
+        tolerance=scene.tolerance,
+        typical=typical,
     )
 
 
@@ -236,14 +256,14 @@ def _settled(elements: SurfaceElements, poses: FloatArray, scene: Scene, *, roun
 def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmentation:
     """State which poses are units, and hand the raw points out."""
     poses, seen, tolerance, elements = judged.poses, judged.evidence, judged.tolerance, judged.elements
-    found = score_among(seen, poses[:, :3], tolerance, judged.typical, unit)
+    found = judged.scores
     scores = judged.certainty * found
     shared = np.zeros(len(poses))
     for k in range(len(poses)):
         stronger = np.flatnonzero((scores >= FOUND_SCORE) & (scores > scores[k]))
         for j in stronger[np.sum((poses[stronger, :3] - poses[k, :3]) ** 2, axis=1) < (2 * unit.reach) ** 2]:
             shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
-    entered = shared > MOST_INTERPENETRATION
+    entered = shared > (MOST_IN_NOISE if elements.smoothed else MOST_INTERPENETRATION)
     fewest = fewest_found_cells(seen, found, judged.typical)
     kept = np.flatnonzero((found >= LISTED_EVIDENCE) & (scores >= LISTED_SCORE))
     stated = poses[kept]

@@ -8,7 +8,16 @@ import numpy as np
 import pytest
 from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.pose_score import AMONG_HEIGHTS, APART_ODDS, RICH, SMOOTHED, SURE_ALONE, TypicalUnit, score, score_among
+from tetratrack.core.segmentation.pose_score import (
+    AMONG_HEIGHTS,
+    RICH,
+    SMOOTHED,
+    SPARSE,
+    ScoreModel,
+    TypicalUnit,
+    score,
+    score_among,
+)
 from tetratrack.core.segmentation.scene import Evidence, Scene
 from tetratrack.core.segmentation.segment import FOUND_SCORE, segment
 from tetratrack.core.segmentation.smoothed_surface import NOISY_RATIO, smoothed
@@ -84,15 +93,17 @@ def test_the_place_decides_where_the_elements_do_not():
     assert len(score_among(Evidence.joined([]), np.zeros((0, 3)), 1.0, TYPICAL, UNIT)) == 0
 
 
-def test_odds_against_what_stands_apart_lower_what_is_sure_by_its_own_elements():
+@pytest.mark.parametrize("model", [SMOOTHED, SPARSE])
+def test_odds_against_what_stands_apart_lower_what_its_own_elements_say(model: ScoreModel):
+    typical = replace(TYPICAL, model=model)
     poses = Evidence.joined([ROCK, *[SURE] * 6])
-    alone = score(poses, 1.0, TYPICAL)
-    assert SURE_ALONE < alone[0] < 0.99
+    alone = score(poses, 1.0, typical)
+    assert FOUND_SCORE < alone[0] < 0.99
     beside = 0.9 * H * np.vstack([np.zeros(3), np.eye(3), -np.eye(3)])
-    assert score_among(poses, beside, 1.0, TYPICAL, UNIT)[0] >= alone[0]
+    assert score_among(poses, beside, 1.0, typical, UNIT)[0] >= alone[0]
     beside[0, 0] += 3 * AMONG_HEIGHTS * H
-    apart = score_among(poses, beside, 1.0, TYPICAL, UNIT)
-    assert apart[0] == pytest.approx(alone[0] / (alone[0] + APART_ODDS * (1 - alone[0])))
+    apart = score_among(poses, beside, 1.0, typical, UNIT)
+    assert apart[0] == pytest.approx(alone[0] / (alone[0] + model.apart_odds * (1 - alone[0])))
     assert apart[0] < FOUND_SCORE
     assert (apart[1:] >= alone[1:]).all()
 
