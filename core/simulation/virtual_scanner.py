@@ -15,6 +15,15 @@ from .armour_pile import Site
 from .smoothing_matcher import MatchedView
 from .virtual_scene import OUTLIER, REFERENCE_HEIGHT, ROCK, WATER, Scene, smooth_field, unit_vectors
 
+AGREEING_IMAGES = 3
+"""Images that must see a place for dense matching to keep it where it is."""
+ISLAND_HEIGHTS = 0.1
+"""Size of a patch of wrong matches, in unit heights: assumed, some 0.3 m on units of 3 m."""
+MISMATCHED = 0.3
+"""Share of such patches that are kept, of those in hollows that fewer images see: assumed; filters of small clusters leave some."""
+WRONG_DEPTH_HEIGHTS = 0.1
+"""Standard deviation of their depth, in unit heights: assumed, what is seen in hollows between units is some decimetres deep."""
+
 
 @dataclass(frozen=True)
 class Returns:
@@ -170,8 +179,13 @@ def survey_photogrammetry(
         cells.append(np.unique(_keys(seen.points, 3 * cell)))
     together = Returns.joined(seen_by)
     key, count = np.unique(np.concatenate(cells), return_counts=True)
-    matched = np.isin(_keys(together.points, 3 * cell), key[count >= 3])
+    matched = np.isin(_keys(together.points, 3 * cell), key[count >= AGREEING_IMAGES])
     cloud = together.chosen(matched & (together.labels != WATER))
+    if scene.surfaces.bridging > 0:
+        # beams that pass by an edge far into the sky lie outside of what is surveyed
+        on_site = np.all((together.points > cloud.points.min(axis=0)) & (together.points < cloud.points.max(axis=0)), axis=1)
+        hidden = ~matched & (together.labels > 0) & on_site
+        cloud = Returns.joined([cloud, mismatched(together.chosen(hidden), scene.unit.height, rng)])
     cloud = cloud.chosen(_thin(cloud.points, cell, rng))
     n = len(cloud.points)
     places = cloud.points + np.array([scene.along, 0.0, 0.0])
@@ -179,6 +193,30 @@ def survey_photogrammetry(
     points = cloud.points + noise * errors * [0.6, 0.6, 1] + rng.normal(0, 0.5 * noise, (n, 3))
     cloud = replace(cloud, points=points, source=np.ones(n, dtype=np.int64), time=np.zeros(n))
     return _with_strays(scene, cloud, rng, 2e-4)
+
+
+def mismatched(weak: Returns, height: float, rng: np.random.Generator) -> Returns:
+    """What dense matching keeps of places on units that too few images see: islands of smooth surface at a wrong depth.
+
+    Dark hollows show hardly any texture, and few images look into them. A matcher that prefers smooth depths gives such a place one depth,
+    right or wrong, and where two images happen to agree it stays: islands before or behind the true surface, inside solids too.
+
+    Parameters
+    ----------
+    weak
+        Points of those places as single images see them.
+    height
+        Nominal height of a unit, metres.
+    """
+    if not len(weak.points):
+        return weak
+    patches, own = np.unique(_keys(weak.points, ISLAND_HEIGHTS * height), return_inverse=True)
+    kept = rng.random(len(patches)) < MISMATCHED
+    wrong = rng.normal(0, WRONG_DEPTH_HEIGHTS * height, len(patches))
+    on_island = kept[own]
+    ray = unit_vectors(weak.points - weak.sensor)
+    moved = replace(weak, points=weak.points + wrong[own][:, None] * ray, labels=np.full(len(weak.labels), OUTLIER))
+    return moved.chosen(on_island)
 
 
 def survey_depth_camera(

@@ -8,6 +8,8 @@ from tetratrack.core.common.errors import InputError
 from tetratrack.core.simulation.smoothing_matcher import MatchedView, closed
 from tetratrack.core.simulation.survey_plan import SimulationPlan
 from tetratrack.core.simulation.virtual_instruments import Instrument
+from tetratrack.core.simulation.virtual_scanner import ISLAND_HEIGHTS, MISMATCHED, WRONG_DEPTH_HEIGHTS, Returns, mismatched
+from tetratrack.core.simulation.virtual_scene import OUTLIER
 
 SPACING = 0.02
 X, Y = np.meshgrid(np.arange(-1, 1, SPACING), np.arange(-1, 1, SPACING), indexing="ij")
@@ -74,3 +76,25 @@ def test_an_image_shows_a_gap_bridged_and_the_rest_where_it_is() -> None:
     inner = np.abs(Y) < 0.6
     assert height[inner & (np.abs(X) > 0.15) & (np.abs(X) < 0.6)] == pytest.approx(0.0, abs=1e-3)
     assert height[inner & (np.abs(X) < 0.03)] == pytest.approx(-(0.1**2) / 0.6, abs=0.01)
+
+
+def test_hollows_that_few_images_see_leave_islands_at_a_wrong_depth() -> None:
+    """A floor of 400 patches seen from above: whole patches stay or go, each at one depth, and none counts as surface."""
+    size, camera = ISLAND_HEIGHTS, np.array([0.0, 0.0, 1e6])
+    x, y = (g.ravel() for g in np.meshgrid(np.arange(0.025, 2, 0.05), np.arange(0.025, 2, 0.05)))
+    floor = np.column_stack([x, y, np.full(x.size, 0.01)])
+    one = np.ones(x.size)
+    weak = Returns(
+        floor, one.astype(np.int64), one.astype(np.int64), one.astype(np.uint16), one, one.astype(np.uint8), one.astype(np.uint8),
+        np.tile(camera, (x.size, 1)),
+    )  # fmt: skip
+    islands = mismatched(weak, 1.0, np.random.default_rng(4))
+    assert (islands.labels == OUTLIER).all()
+    _, own, count = np.unique(np.floor(islands.points[:, :2] / size + 1e-4), axis=0, return_inverse=True, return_counts=True)
+    assert (count == 4).all()
+    assert len(count) / 400 == pytest.approx(MISMATCHED, abs=3 * np.sqrt(MISMATCHED * (1 - MISMATCHED) / 400))
+    depths = [islands.points[own.ravel() == k, 2] - 0.01 for k in range(len(count))]
+    assert max(np.ptp(d) for d in depths) < 1e-6
+    assert np.std([d[0] for d in depths]) == pytest.approx(WRONG_DEPTH_HEIGHTS, rel=0.25)
+    nothing = weak.chosen(np.zeros(x.size, dtype=np.bool_))
+    assert len(mismatched(nothing, 1.0, np.random.default_rng(4)).points) == 0
