@@ -178,7 +178,9 @@ def _without(units: JudgedUnits, own: IntArray, elastic: ElasticDatum) -> tuple[
     """Datum ``stable`` by all units but those of a stretch: the error (k, 3) at these, and covariance of its mean (3, 3).
 
     What the units of a stretch say bears on the few unknowns that they feel, and is taken out of the joint distribution of these: the
-    effort follows the stretch and not the coast, and what is left is that of an adjustment anew to some 1e-8 metres.
+    effort follows the stretch and not the coast, and what is left is that of an adjustment anew to some 1e-8 metres. The less the others
+    say, the more digits that costs: 1e-4 metres where a stretch is nearly the whole coast. So short coasts, which cost little, are adjusted
+    anew.
     """
     basis = elastic.stable.basis
     if basis.size <= MOST_ANEW:

@@ -6,25 +6,20 @@ Everything here is in the control frame less one reduction point.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import block_diag
-from scipy.spatial import cKDTree
 
-from ..common.arrays import FloatArray, IntArray
+from ..common.arrays import FloatArray
 from ..common.kernels import side_by_side
 from ..model.feature_points import FEATURES, FeaturePoints, feature_points
 from ..model.mould import Mould
-from ..model.tetrapod import distance_to_surface
 from ..model.unit_types import UnitType
 from ..registration.frame_field import LocalMotions
 from ..registration.transformation import Transformation
-from ..segmentation.leg_ends import LegEnds
-from ..segmentation.surface_elements import surface_noise
 from .chained_frames import chained_errors
 from .congruence import PoseCalibration
 from .cross_check import CrossCheck, cross_check
@@ -36,25 +31,16 @@ from .fitted_unit import FittedUnit
 from .identity import FoundUnits, Track, identify
 from .joint_records import JointAdjustment, UnitSighting
 from .legs_over_epochs import legs_over_epochs
-from .presence import look_up, settled_on
+from .missing_units import Surroundings, look_for_missing
+from .questions import Ask, answered_here
 from .relocation import join_relocated
 from .strip_offsets import adjust_jointly
 from .tracked_epoch import TrackedEpoch, TrackedUnit
-from .unit_clouds import UnitCloud, by_home
+from .unit_clouds import by_home
 from .unit_states import SURE_SCORE, odd_sizes, states_of
 
-MIN_RECOVERED_POINTS = 60
-LOOK_UP_RATIO, LOOK_UP_NOISE = 0.025, 3.0
-"""Distance of a point from where another epoch predicts a unit's surface, as a share of the height and in standard deviations of a point's
-noise, up to which it lies on it: whichever is more, as a window narrower than the noise keeps only the points that the prediction likes."""
-LOOK_UP_REACHES = 1.35
-"""Distance from a missing unit's centre, in reaches of a unit, in which its place is looked at."""
-NEIGHBOURS = 9
-"""Units whose median motion says where a unit would be that one epoch does not show."""
 SAME_PLACE_HEIGHTS = 0.5
 """Distance of two centres, in unit heights, within which no two solids fit."""
-SAME_POINT = 1e-4
-"""Distance in metres below which a point of the cloud is the point of a unit."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -106,16 +92,13 @@ class Tracking:
         return None if error is None else error.at(points)
 
 
-Surroundings = Callable[[int, FloatArray, float], tuple[FloatArray, NDArray[np.integer]]]
-"""Points and sources of an epoch (index) within a distance of (k, 3) places, control frame less the reduction point."""
-
-
 def track(
     epochs: Sequence[TrackedEpoch],
     units: Sequence[UnitType],
     surroundings: Surroundings | None = None,
     frame: FrameChoice = "auto",
     moulds: Sequence[Mould | None] = (),
+    ask: Ask = answered_here,
 ) -> Tracking:
     """Follow all units through all epochs.
 
@@ -132,6 +115,8 @@ def track(
         Whether frames may bend.
     moulds
         By type of unit, the mould that an earlier survey has learned, or None; empty for none of any.
+    ask
+        Answers what is asked of the points of a few units, here or in other processes.
     """
     found = [
         FoundUnits(
@@ -144,7 +129,7 @@ def track(
     identities = identify(found, units)
     tracks = list(identities.tracks)
     seen: list[dict[int, FittedUnit]] = [{e: epochs[e].units[row].relabelled(t.symmetries[e]) for e, row in t.rows.items()} for t in tracks]
-    states, recovered = _look_for_missing(epochs, tracks, seen, units, identities.shifts, surroundings)
+    states, recovered = look_for_missing(epochs, seen, units, identities.shifts, surroundings, ask)
     for unit, epoch, sighting in recovered:
         seen[unit][epoch] = sighting
     tracks, seen, states = _without_rivals(tracks, seen, states, recovered)
@@ -198,74 +183,6 @@ def _frames(units: TrackedUnits, epochs: Sequence[TrackedEpoch], choice: FrameCh
     return estimate_frames(pairs, targets, np.array(places).reshape(-1, 3), height, choice)
 
 
-def _look_for_missing(
-    epochs: Sequence[TrackedEpoch],
-    tracks: Sequence[Track],
-    seen: Sequence[dict[int, FittedUnit]],
-    units: Sequence[UnitType],
-    shifts: FloatArray,
-    surroundings: Surroundings | None,
-) -> tuple[list[dict[int, str]], list[tuple[int, int, FittedUnit]]]:
-    """State of every unit in the epochs that do not show it, and units recovered where another epoch predicts them."""
-    states: list[dict[int, str]] = [{} for _ in tracks]
-    recovered: list[tuple[int, int, FittedUnit]] = []
-    wanted: dict[int, list[tuple[int, int]]] = {}
-    for unit, sightings in enumerate(seen):
-        certain = [e for e, s in sightings.items() if s.certain]
-        for epoch in range(len(epochs)):
-            if epoch not in sightings and certain:
-                reference = min(certain, key=lambda e: (abs(e - epoch), e))
-                wanted.setdefault(epoch, []).append((unit, reference))
-                states[unit][epoch] = "hidden"
-    if surroundings is None:
-        return states, recovered
-    reach = max(u.reach for u in units) * LOOK_UP_REACHES
-    for epoch, items in sorted(wanted.items()):
-        owners = [u for u in epochs[epoch].units if u.certain]
-        owner_tree = cKDTree(np.array([u.pose.centre for u in owners]).reshape(-1, 3))
-        # units of one home lie together: their surroundings are read together, and no more than these at a time
-        homes: dict[tuple[int, ...], list[tuple[int, int]]] = {}
-        for unit, reference in items:
-            homes.setdefault((reference, *seen[unit][reference].cloud.home), []).append((unit, reference))
-        for (reference, *_), group in sorted(homes.items()):
-            centres = np.array([seen[unit][reference].pose.centre for unit, _ in group])
-            moves = _local_shifts(seen, reference, epoch, centres, shifts[epoch] - shifts[reference])
-            points, sources = surroundings(epoch, centres + moves, reach)
-            other, _ = surroundings(reference, centres, reach)
-            tree, other_tree = cKDTree(points), cKDTree(other)
-            noise = surface_noise(points, max(u.height for u in units), tree=tree) if len(points) else 0.0
-            for (unit, _), move in zip(group, moves, strict=True):
-                known = seen[unit][reference]
-                pose = known.pose.shifted(move)
-                now = np.sort(np.array(tree.query_ball_point(pose.centre, reach), dtype=np.int64))
-                before = other[other_tree.query_ball_point(known.pose.centre, reach)] + move
-                tolerance = max(LOOK_UP_RATIO * known.shape.height, LOOK_UP_NOISE * noise)
-                presence = look_up(known.cloud.read()[0] + move, pose, known.shape, before, points[now], tolerance)
-                states[unit][epoch] = presence.state
-                if presence.state != "there":
-                    continue
-                near = [owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * reach)]
-                free = _left_by(near, points, now)
-                pose = settled_on(points[free], pose, known.shape, tolerance)
-                index = free[np.abs(distance_to_surface(pose.to_body(points[free]), known.shape)) < tolerance]
-                if len(index) < MIN_RECOVERED_POINTS:
-                    states[unit][epoch] = "hidden"
-                    continue
-                cloud = UnitCloud.held(points[index], sources[index])
-                recovered.append((unit, epoch, replace(known, pose=pose, cloud=cloud, legs=LegEnds.unseen())))
-    return states, recovered
-
-
-def _local_shifts(seen: Sequence[Mapping[int, FittedUnit]], first: int, second: int, places: FloatArray, common: FloatArray) -> FloatArray:
-    """(k, 3) shift between two epochs' clouds at (k, 3) places: the median of the nearest units that both show, or the ``common`` one."""
-    both = [(s[first].pose.centre, s[second].pose.centre) for s in seen if first in s and second in s and s[first].certain]
-    if len(both) < NEIGHBOURS:
-        return np.tile(common, (len(places), 1))
-    before, after = (np.array(column) for column in zip(*both, strict=True))
-    near = cKDTree(before).query(places, k=NEIGHBOURS)[1]
-    return np.asarray(np.median((after - before)[near], axis=1))
-
-
 def _without_rivals(
     tracks: Sequence[Track],
     seen: Sequence[dict[int, FittedUnit]],
@@ -285,15 +202,6 @@ def _without_rivals(
                 rivals |= {k} if near else set()
     kept = [k for k in range(len(tracks)) if k not in rivals]
     return [tracks[k] for k in kept], [seen[k] for k in kept], [states[k] for k in kept]
-
-
-def _left_by(owners: Sequence[FittedUnit], points: FloatArray, index: IntArray) -> IntArray:
-    """Those of the indices whose points belong to none of the units."""
-    for owner in sorted(owners, key=lambda u: u.cloud.home):
-        own, _ = owner.cloud.read()
-        if len(own) and len(index):
-            index = index[cKDTree(own).query(points[index])[0] > SAME_POINT]
-    return index
 
 
 def _adjust(seen: Sequence[dict[int, FittedUnit]], moulds: Mapping[UnitType, Mould]) -> tuple[JointAdjustment, dict[tuple[int, int], int]]:

@@ -16,6 +16,18 @@ ReadCloud = tuple[FloatArray, Sources]
 
 
 @dataclass(frozen=True, eq=False)
+class HeldPoints:
+    """(n, 3) points and (n,) sources that stay in memory, to be called for."""
+
+    points: FloatArray
+    sources: Sources
+
+    def __call__(self) -> ReadCloud:
+        """Points and sources."""
+        return self.points, self.sources
+
+
+@dataclass(frozen=True, eq=False)
 class UnitCloud:
     """Points of one unit in one epoch.
 
@@ -42,7 +54,7 @@ class UnitCloud:
     @classmethod
     def held(cls, points: FloatArray, sources: Sources) -> UnitCloud:
         """Cloud of (n, 3) points and (n,) sources that stay in memory."""
-        return cls(np.unique(sources), lambda: (points, sources))
+        return cls(np.unique(sources), HeldPoints(points, sources))
 
     @classmethod
     def none(cls) -> UnitCloud:

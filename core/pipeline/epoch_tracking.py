@@ -3,26 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from ..adjustment.surface_estimation import LEAST_MOULD_UNITS
 from ..common.arrays import FloatArray
 from ..common.feedback import Feedback
 from ..data.survey import Survey
-from ..data.tiles import read_points
-from ..data.window_around import WindowAround
 from ..deformation.displacement import grades_from
 from ..deformation.epoch_frames import TargetShifts
 from ..deformation.fitted_unit import FittedUnit
+from ..deformation.missing_units import Surroundings
 from ..deformation.tracked_epoch import TrackedEpoch
-from ..deformation.tracking import Surroundings, Tracking, track
-from ..deformation.unit_clouds import ReadCloud, UnitCloud
+from ..deformation.tracking import Tracking, track
+from ..deformation.unit_clouds import UnitCloud
 from ..deformation.validation import CheckResidual, check_residuals, checked_displacements, read_check, residual_rows, summarise
 from ..model.unit_types import UnitType
 from ..registration.control import DISTURBED, Registration
@@ -32,11 +31,11 @@ from .block_jobs import LEG_COLUMNS
 from .displacement_table import TableOptions, cross_check_rows, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
 from .epoch_units import EpochUnits
 from .frame_table import frame_error_rows, frame_settings, stretch_rows
+from .job_runner import JobRunner
+from .tracking_jobs import FiledPoints, HeldClouds, LastFile, PointsAround, answered_by
 
 Tables = dict[str, list[dict[str, Any]]]
 
-HELD_POINTS = 1_000_000
-"""Points of units that are kept for the next look at them, some 25 MB: a joint adjustment looks a dozen times."""
 FEW_UNITS = 10
 """Units of a pair below which the prior of the calibration counts about as much as they do: thirty components for its four parameters."""
 
@@ -46,16 +45,35 @@ def track_tables(
     fitted: Sequence[EpochUnits],
     units: tuple[UnitType, ...],
     registrations: Mapping[str, Registration],
+    checksums: Mapping[Path, str],
+    runner: JobRunner,
     feedback: Feedback,
 ) -> tuple[Tables, dict[str, Any]]:
-    """Rows of all layers that need several epochs, and of units and feature points; counts and settings by epoch for the record."""
+    """Rows of all layers that need several epochs, and of units and feature points; counts and settings by epoch for the record.
+
+    Parameters
+    ----------
+    survey, fitted
+        The survey, and its units by epoch.
+    units
+        Types of unit.
+    registrations
+        By label of the epoch.
+    checksums
+        Of the tiles.
+    runner
+        Runs what is asked of points.
+    feedback
+        Messages.
+    """
     centres = np.concatenate([epoch.table["poses"][:, :3] for epoch in fitted])
     origin = np.round(centres.mean(axis=0)) if len(centres) else np.zeros(3)
     labels = [e.plan.epoch.label for e in fitted]
-    held = _HeldClouds()
+    held = HeldClouds()
     placed = [_tracked_epoch(k, e, registrations.get(e.plan.epoch.label), units, origin, labels, held) for k, e in enumerate(fitted)]
     moulds = tuple(unit.mould for unit in survey.units)
-    result = track(placed, units, _surroundings(survey, fitted, registrations, origin, feedback), survey.frame, moulds)
+    around = _surroundings(survey, fitted, registrations, origin, checksums)
+    result = track(placed, units, around, survey.frame, moulds, partial(answered_by, runner))
     _say_what_rests_on_experience(result, labels, feedback)
     names = unit_names(len(result.units))
     limits = survey.sections["displacement"]
@@ -117,24 +135,6 @@ def _say_what_rests_on_experience(result: Tracking, labels: Sequence[str], feedb
             feedback.info(f"{shape.name}: no mould is learned of {surface.units} units; castings are taken to vary as elsewhere")
 
 
-class _HeldClouds:
-    """Clouds of units that stay in memory, as many as it may take."""
-
-    def __init__(self) -> None:
-        self._left = HELD_POINTS
-        self._held: dict[tuple[int, int], ReadCloud] = {}
-
-    def read(self, key: tuple[int, int], anew: Callable[[], ReadCloud]) -> ReadCloud:
-        """The cloud of a unit by epoch and row, read ``anew`` where it is not held."""
-        if key in self._held:
-            return self._held[key]
-        cloud = anew()
-        if len(cloud[0]) <= self._left:
-            self._left -= len(cloud[0])
-            self._held[key] = cloud
-        return cloud
-
-
 def _tracked_epoch(
     number: int,
     epoch: EpochUnits,
@@ -142,22 +142,14 @@ def _tracked_epoch(
     units: tuple[UnitType, ...],
     origin: FloatArray,
     labels: Sequence[str],
-    held: _HeldClouds,
+    held: HeldClouds,
 ) -> TrackedEpoch:
     """Units of an epoch (its number) with their clouds in the control frame, less the common reduction point."""
     known = None if registration is None else registration.transformation
     transformation = Transformation.identity(origin) if known is None else known
     table = epoch.table
     turn = np.kron(np.eye(2), transformation.rotation)
-    points_of = epoch.reader()
-
-    def cloud(row: int, ids: NDArray[np.uint16]) -> UnitCloud:
-        def read() -> ReadCloud:
-            points, sources = points_of(row)
-            return transformation.apply(points) - origin, sources
-
-        return UnitCloud(ids, lambda: held.read((number, row), read), (number, int(epoch.places[row, 0])))
-
+    last = LastFile()
     found: dict[int, FittedUnit] = {}
     for row, ids in epoch.source_ids():
         pose = transformation.apply_pose(epoch.pose(row)).shifted(-origin)
@@ -167,6 +159,8 @@ def _tracked_epoch(
         own = table["covariance"][row][:6, :6]
         covariance = turn @ own @ turn.T if np.isfinite(own).all() else None
         n_points = int(table["n_points"][row])
+        file, place = (int(value) for value in epoch.places[row])
+        points = FiledPoints(file=epoch.files[file], place=place, transformation=transformation, origin=origin, last=last, held=held)
         legs = LegEnds(*(table[name][row] for name in LEG_COLUMNS)) if LEG_COLUMNS[0] in table else LegEnds.unseen()
         found[row] = FittedUnit(
             pose=pose,
@@ -174,7 +168,7 @@ def _tracked_epoch(
             kind=kind,
             certain=certain,
             discs=table["discs"][row],
-            cloud=cloud(row, ids),
+            cloud=UnitCloud(ids, points, (number, file)),
             covariance=covariance,
             score=score,
             n_points=n_points,
@@ -230,31 +224,31 @@ def _targets(registration: Registration | None, origin: FloatArray) -> TargetShi
 
 
 def _surroundings(
-    survey: Survey, epochs: Sequence[EpochUnits], registrations: Mapping[str, Registration], origin: FloatArray, feedback: Feedback
+    survey: Survey,
+    epochs: Sequence[EpochUnits],
+    registrations: Mapping[str, Registration],
+    origin: FloatArray,
+    checksums: Mapping[Path, str],
 ) -> Surroundings:
     """Reader of an epoch's cloud around places, for :func:`tetratrack.core.deformation.tracking.track`."""
 
-    def read(number: int, places: FloatArray, reach: float) -> tuple[FloatArray, NDArray[np.integer[Any]]]:
+    def around(number: int, places: FloatArray, reach: float) -> PointsAround:
         plan = epochs[number].plan
         registration = registrations.get(plan.epoch.label)
         transformation = Transformation.identity(origin) if registration is None else registration.transformation
         where = transformation.invert(places + origin)
-        tree = cKDTree(where - origin)
-        parts: list[FloatArray] = []
-        sources: list[NDArray[np.integer[Any]]] = []
-        for block in plan.blocks:
-            if not block.core.grown(reach).contains(where).any():
-                continue
-            feedback.check()
-            cloud = read_points(block.tiles, survey.crs, window=WindowAround.of(block.core, where, reach), origin=origin)
-            near = np.isfinite(tree.query(cloud.xyz, distance_upper_bound=reach)[0])
-            parts.append(transformation.apply(cloud.xyz[near] + origin) - origin)
-            sources.append(cloud.source_id[near])
-        if not parts:
-            return np.empty((0, 3)), np.empty(0, dtype=np.uint16)
-        return np.vstack(parts), np.concatenate(sources)
+        blocks = tuple(block for block in plan.blocks if block.core.grown(reach).contains(where).any())
+        return PointsAround(
+            blocks=blocks,
+            survey_crs=survey.crs,
+            transformation=transformation,
+            origin=origin,
+            places=where,
+            reach=reach,
+            checksums=tuple(checksums[tile.path] for block in blocks for tile in block.tiles),
+        )
 
-    return read
+    return around
 
 
 def check_tables(survey: Survey, points: Sequence[Mapping[str, Any]], feedback: Feedback) -> tuple[list[dict[str, Any]], float | None]:

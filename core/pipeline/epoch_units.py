@@ -36,6 +36,7 @@ from .block_jobs import (
 from .epoch_plans import EpochPlan
 from .epoch_quality import entering, reduced
 from .job_runner import JobRunner
+from .tracking_jobs import LastFile
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,29 +71,12 @@ class EpochUnits:
         values = self.table["poses"][row]
         return Pose(values[:3], values[3:].reshape(3, 3))
 
-    def reader(self) -> Callable[[int], tuple[FloatArray, NDArray[np.uint16]]]:
-        """Reads (n, 3) absolute points and (n,) source ids of a unit by its row.
-
-        It holds one file at a time: units of one file are to be asked for one after the other.
-
-        Raises
-        ------
-        InputError
-            When reading, if a file is gone.
-        """
-        arrays_of = self._arrays()
-
-        def read(row: int) -> tuple[FloatArray, NDArray[np.uint16]]:
-            arrays, own = arrays_of(row)
-            return arrays["points"][own] + arrays["origin"], arrays["sources"][own]
-
-        return read
-
     def points(self) -> Iterator[tuple[int, FloatArray]]:
         """Row and (n, 3) absolute points of every unit, file by file."""
-        read = self.reader()
+        arrays_of = self._arrays()
         for row in np.argsort(self.places[:, 0], kind="stable"):
-            yield int(row), read(int(row))[0]
+            arrays, own = arrays_of(int(row))
+            yield int(row), arrays["points"][own] + arrays["origin"]
 
     def source_ids(self) -> Iterator[tuple[int, NDArray[np.uint16]]]:
         """Row, and ids of the strips or stations that see it, of every unit once it is adjusted, file by file; no points are read."""
@@ -104,9 +88,9 @@ class EpochUnits:
                 yield int(row), arrays["source_ids"][starts[place] : starts[place + 1]]
 
     def covariances(self, beams: BeamNoise) -> Callable[[int], FloatArray]:
-        """Reads (n, 3, 3) covariances of a unit's points by its row, in the order of :meth:`reader`'s points; square metres.
+        """Reads (n, 3, 3) covariances of a unit's points by its row, in the order of :meth:`points`; square metres.
 
-        It holds one file at a time too.
+        It holds one file at a time: units of one file are to be asked for one after the other.
 
         Raises
         ------
@@ -123,14 +107,11 @@ class EpochUnits:
 
     def _arrays(self) -> Callable[[int], tuple[Mapping[str, NDArray[Any]], slice]]:
         """Reads the arrays of the block that holds a unit, and which of their points are the unit's, by its row; holds one file."""
-        held: dict[int, Mapping[str, NDArray[Any]]] = {}
+        last = LastFile()
 
         def read(row: int) -> tuple[Mapping[str, NDArray[Any]], slice]:
             number, place = self.places[row]
-            if number not in held:
-                held.clear()
-                held[number] = loaded_arrays(self.files[number])
-            arrays = held[number]
+            arrays = last.arrays(self.files[number])
             return arrays, slice(arrays["offsets"][place], arrays["offsets"][place + 1])
 
         return read

@@ -146,7 +146,7 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         feedback.progress(start + SHARES["fit"], "tracking units")
         with threads_of_kernels(runner.workers):
             # the workers wait meanwhile
-            tables, summary = track_tables(survey, fitted, fitted[0].units, registrations, feedback)
+            tables, summary = track_tables(survey, fitted, fitted[0].units, registrations, record.checksums, runner, feedback)
         registrations = registrations | summary["registrations"]
         feedback.progress(1 - 3 * SHARES["write"], "looking for gaps")
         when = [(plan.epoch.label, plan.epoch.time) for plan in plans]

@@ -13,11 +13,12 @@ from synthetic_units import ALL_DISCS, UNIT
 from tetratrack.core.deformation import relocation
 from tetratrack.core.deformation.fitted_unit import FittedUnit
 from tetratrack.core.deformation.identity import Track
+from tetratrack.core.deformation.missing_units import Around
 from tetratrack.core.deformation.relocation import CARRIED_HEIGHTS, Followed, join_relocated
 from tetratrack.core.deformation.surface_texture import Likeness, likeness, texture
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
 from tetratrack.core.deformation.tracking import Tracking, track
-from tetratrack.core.deformation.unit_clouds import UnitCloud
+from tetratrack.core.deformation.unit_clouds import HeldPoints, UnitCloud
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.pipeline.displacement_table import unit_names, unit_tables
@@ -104,9 +105,9 @@ def tracked(noise: float) -> tuple[Tracking, tuple[TrackedEpoch, ...], dict[int,
         epochs.append(TrackedEpoch(label=str(number), time=datetime(2020 + number, 1, 1, tzinfo=UTC), units=units, registration=None))
         clouds.append(np.vstack([*(u.cloud.read()[0] for u in units), ground]))
 
-    def surroundings(epoch: int, places: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
+    def surroundings(epoch: int, places: np.ndarray, reach: float) -> Around:
         near = np.isfinite(cKDTree(places).query(clouds[epoch], distance_upper_bound=reach)[0])
-        return clouds[epoch][near], np.ones(int(near.sum()), dtype=np.int64)
+        return HeldPoints(clouds[epoch][near], np.ones(int(near.sum()), dtype=np.int64))
 
     result = track(epochs, [UNIT], surroundings)
     castings = {}

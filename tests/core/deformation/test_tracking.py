@@ -16,9 +16,10 @@ from tetratrack.core.deformation.displacement import grades_from
 from tetratrack.core.deformation.fitted_unit import FittedUnit
 from tetratrack.core.deformation.identity import Track
 from tetratrack.core.deformation.joint_records import JointAdjustment
+from tetratrack.core.deformation.missing_units import Around, Surroundings
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
-from tetratrack.core.deformation.tracking import Surroundings, Tracking, track
-from tetratrack.core.deformation.unit_clouds import UnitCloud
+from tetratrack.core.deformation.tracking import Tracking, track
+from tetratrack.core.deformation.unit_clouds import HeldPoints, UnitCloud
 from tetratrack.core.deformation.unit_states import odd_sizes, states_of
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.pipeline.displacement_table import (
@@ -92,9 +93,9 @@ def surveyed() -> tuple[tuple[TrackedEpoch, ...], list[Pose], list[list[int]], S
         clouds.append(np.vstack(points))
         order.append(names)
 
-    def surroundings(epoch: int, places: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
+    def surroundings(epoch: int, places: np.ndarray, reach: float) -> Around:
         near = np.linalg.norm(clouds[epoch][:, None] - places[None], axis=2).min(axis=1) < reach
-        return clouds[epoch][near], np.ones(int(near.sum()), dtype=np.int64)
+        return HeldPoints(clouds[epoch][near], np.ones(int(near.sum()), dtype=np.int64))
 
     return tuple(epochs), poses, order, surroundings
 
@@ -343,7 +344,7 @@ def test_points_are_read_home_by_home_with_the_same_result() -> None:
 
         return replace(unit, cloud=UnitCloud(unit.cloud.ids, read, (epoch, block)))
 
-    def around(epoch: int, places: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
+    def around(epoch: int, places: np.ndarray, reach: float) -> Around:
         looked_at.append(len({(x > 4, y > 4) for x, y, _ in places}))
         return surroundings(epoch, places, reach)
 

@@ -1,0 +1,27 @@
+"""What tracking asks of the points of a few units, as functions of what they hold: whoever has several processes may ask them there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, Protocol
+
+from numpy.typing import NDArray
+
+Answer = Mapping[str, NDArray[Any]]
+
+
+class Question(Protocol):
+    """Holds everything its answer depends on, and survives pickling where its clouds do."""
+
+    def answer(self) -> Answer:
+        """Arrays by name."""
+        ...
+
+
+Ask = Callable[[Sequence[Question]], Iterable[Answer]]
+"""Answers to questions, in their order."""
+
+
+def answered_here(questions: Sequence[Question]) -> Iterable[Answer]:
+    """Answers by this process, one after the other."""
+    return (question.answer() for question in questions)
