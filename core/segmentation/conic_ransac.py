@@ -218,6 +218,8 @@ def _fit_cone(near: Any, gradient: float, tolerance: float, cone: Any) -> Any:
     sine = gradient * cosine
     normal = np.empty((5, 5))
     step = np.empty(5)
+    # of each element: across the axis (2), and 1 if it is on the cone
+    placed = np.empty((3, near.shape[1]))
     support = 0
     reached = 0
     for sweep in range(SWEEPS):
@@ -226,59 +228,51 @@ def _fit_cone(near: Any, gradient: float, tolerance: float, cone: Any) -> Any:
         limit = tolerance * (2.0 if sweep < 2 else 1.2)
         n00 = n01 = n02 = n03 = n04 = n11 = n12 = n13 = n14 = n22 = n23 = n24 = n33 = n34 = 0.0
         r0 = r1 = r2 = r3 = r4 = 0.0
-        support = 0
-        reached = 0
-        squares = 0.0
-        sectors = 0
+        squares = on_cone = near_cone = 0.0
+        # weights of 0 and 1 in place of branches, and no integers: the loop runs in vector registers
         for q in range(near.shape[1]):
             x, y, z = near[0, q] - fx, near[1, q] - fy, near[2, q] - fz
             t = x * ax + y * ay + z * az
             y1 = x * e1x + y * e1y + z * e1z
             y2 = x * e2x + y * e2y + z * e2z
-            rr = np.sqrt(y1 * y1 + y2 * y2)
-            if rr < 1e-9:
-                continue
+            rr = np.sqrt(y1 * y1 + y2 * y2 + 1e-18)
             away = (rr - rho + gradient * t) * cosine
-            if -3.0 * tolerance < away < 6.0 * tolerance:
-                reached += 1
-            if abs(away) > limit:
-                continue
+            near_cone += 1.0 if (away > -3.0 * tolerance) & (away < 6.0 * tolerance) else 0.0
             nx, ny, nz = near[3, q], near[4, q], near[5, q]
-            c1 = y1 / rr
-            c2 = y2 / rr
+            c1, c2 = y1 / rr, y2 / rr
             agree = (c1 * (e1x * nx + e1y * ny + e1z * nz) + c2 * (e2x * nx + e2y * ny + e2z * nz)) * cosine
             agree += sine * (ax * nx + ay * ny + az * nz)
-            if max(agree, -near[6, q] * agree) <= LEAST_AGREEMENT:
-                continue
+            agree = max(agree, -near[6, q] * agree)
+            w = 1.0 if (abs(away) <= limit) & (agree > LEAST_AGREEMENT) else 0.0
+            placed[0, q], placed[1, q], placed[2, q] = y1, y2, w
             # turning the axis towards e1 by w moves the axis by w t: d(rr) = -c1 t w, d(t) = y1 w
-            a0 = (-c1 * t + gradient * y1) * cosine
-            a1 = (-c2 * t + gradient * y2) * cosine
-            a2 = -c1 * cosine
-            a3 = -c2 * cosine
-            a4 = -cosine
+            weight = w * cosine
+            a0 = (gradient * y1 - c1 * t) * weight
+            a1 = (gradient * y2 - c2 * t) * weight
+            a2 = -c1 * weight
+            a3 = -c2 * weight
             r0 -= a0 * away
             r1 -= a1 * away
             r2 -= a2 * away
             r3 -= a3 * away
-            r4 -= a4 * away
+            r4 += weight * away
             n00 += a0 * a0
             n01 += a0 * a1
             n02 += a0 * a2
             n03 += a0 * a3
-            n04 += a0 * a4
+            n04 -= a0 * weight
             n11 += a1 * a1
             n12 += a1 * a2
             n13 += a1 * a3
-            n14 += a1 * a4
+            n14 -= a1 * weight
             n22 += a2 * a2
             n23 += a2 * a3
-            n24 += a2 * a4
+            n24 -= a2 * weight
             n33 += a3 * a3
-            n34 += a3 * a4
-            support += 1
-            squares += away * away
-            if sweep == SWEEPS - 1:
-                sectors |= 1 << int((np.arctan2(y2, y1) + np.pi) / (2 * np.pi) * (SECTORS - 1e-3))
+            n34 -= a3 * weight
+            on_cone += w
+            squares += w * away * away
+        support, reached = int(on_cone), int(near_cone)
         if support < FEWEST_ON_LEG:
             break
         normal[0, 0] = n00
@@ -293,6 +287,10 @@ def _fit_cone(near: Any, gradient: float, tolerance: float, cone: Any) -> Any:
         factorise(normal)
         if sweep == SWEEPS - 1:
             variance = max(squares / support, (0.2 * tolerance) ** 2) / normal[4, 4] ** 2
+            sectors = 0
+            for q in range(near.shape[1]):
+                if placed[2, q] > 0.0:
+                    sectors |= 1 << int((np.arctan2(placed[1, q], placed[0, q]) + np.pi) / (2 * np.pi) * (SECTORS - 1e-3))
             filled = 0
             for k in range(SECTORS):
                 filled += (sectors >> k) & 1

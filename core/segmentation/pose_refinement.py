@@ -11,7 +11,7 @@ from ..common.arrays import BoolArray, FloatArray
 from ..common.kernels import kernel
 from ..common.neighbourhood import gather
 from ..common.positive_definite import factorise, solve_factorised
-from .cone_relation import FEW_POSES, ConeShape, OrientedPoints, normal_at, relate_point, surely_farther
+from .cone_relation import FEW_POSES, ConeShape, OrientedPoints
 from .scene import Scene
 
 BROAD = 0.8
@@ -50,62 +50,27 @@ def _refine_many(poses: Any, elements: Any, active: Any, grid: Any, shape: Any, 
 def _refine_one(pose: Any, elements: Any, active: Any, grid: Any, shape: Any, tolerance: float, effort: Any) -> None:
     """Least squares of one pose, in place."""
     points, normals = elements.points, elements.normals
-    legs, radius, gradient, length, height = shape
+    height = shape.height
     most, sweeps = effort
-    cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
     near = gather(points, active, (pose[0], pose[1], pose[2]), BROAD * height, grid, most)
     m = len(near)
-    local = np.empty((m, 6))
+    local = np.empty((6, m))
     for q in range(m):
         for a in range(3):
-            local[q, a] = points[near[q], a] - pose[a]
-            local[q, 3 + a] = normals[near[q], a]
+            local[a, q] = points[near[q], a] - pose[a]
+            local[3 + a, q] = normals[near[q], a]
     centre = np.zeros(3)
     rot = pose[3:12].copy().reshape(3, 3)
     normal = np.empty((6, 6))
-    right = np.empty(6)
-    row = np.empty(6)
+    step = np.empty(6)
     for sweep in range(sweeps):
-        limit = tolerance * max(1.5, 4.0 - 0.5 * sweep)
-        normal[:, :] = 0.0
-        right[:] = 0.0
-        r00, r01, r02 = rot[0, 0], rot[0, 1], rot[0, 2]
-        r10, r11, r12 = rot[1, 0], rot[1, 1], rot[1, 2]
-        r20, r21, r22 = rot[2, 0], rot[2, 1], rot[2, 2]
-        for q in range(m):
-            d0, d1, d2 = local[q, 0] - centre[0], local[q, 1] - centre[1], local[q, 2] - centre[2]
-            x = d0 * r00 + d1 * r10 + d2 * r20
-            y = d0 * r01 + d1 * r11 + d2 * r21
-            z = d0 * r02 + d1 * r12 + d2 * r22
-            if surely_farther(x, y, z, legs, radius, gradient, length, limit):
-                continue
-            leg, dist, part, axial, rho = relate_point(x, y, z, legs, radius, gradient, length)
-            if part == 2 or abs(dist) > limit or rho < 1e-9:
-                continue
-            nx, ny, nz = normal_at((x, y, z), leg, part, axial, rho, legs, gradient, cosine)
-            gx = r00 * nx + r01 * ny + r02 * nz
-            gy = r10 * nx + r11 * ny + r12 * nz
-            gz = r20 * nx + r21 * ny + r22 * nz
-            if abs(gx * local[q, 3] + gy * local[q, 4] + gz * local[q, 5]) < LEAST_AGREEMENT_OF_FIT:
-                continue
-            w = (1.0 - (dist / limit) ** 2) ** 2
-            # moving the unit by dX changes the distance by -n.dX; turning it by dw by -(d x n).dw
-            row[0], row[1], row[2] = -gx, -gy, -gz
-            row[3] = -(d1 * gz - d2 * gy) / height
-            row[4] = -(d2 * gx - d0 * gz) / height
-            row[5] = -(d0 * gy - d1 * gx) / height
-            for a in range(6):
-                weighted = w * row[a]
-                right[a] -= weighted * dist
-                for b in range(a + 1):
-                    normal[a, b] += weighted * row[b]
+        _sum_up(local, centre, rot, shape, tolerance * max(1.5, 4.0 - 0.5 * sweep), normal, step)
         weight = normal[0, 0] + normal[1, 1] + normal[2, 2]
         if weight < 5.0:
             break
         for a in range(6):
             normal[a, a] += 2e-3 * weight / 3.0
         factorise(normal)
-        step = right.copy()
         solve_factorised(normal, step)
         for a in range(3):
             centre[a] += min(max(step[a], -0.06 * height), 0.06 * height)
@@ -134,3 +99,91 @@ def _refine_one(pose: Any, elements: Any, active: Any, grid: Any, shape: Any, to
         pose[a] += centre[a]
         for b in range(3):
             pose[3 + 3 * a + b] = rot[a, b]
+
+
+@kernel(makes_arrays=False)
+def _sum_up(local: Any, centre: Any, rot: Any, shape: Any, limit: float, normal: Any, right: Any) -> None:
+    """Normal equations, lower triangle and right-hand side, of the elements within ``limit`` of a pose's surface whose normals agree.
+
+    Columns of ``local`` are positions and normals; turns are in heights.
+    """
+    legs, radius, gradient, length, height = shape
+    cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
+    edge = radius - gradient * length
+    p0, p1, p2 = centre[0], centre[1], centre[2]
+    r00, r01, r02 = rot[0, 0], rot[0, 1], rot[0, 2]
+    r10, r11, r12 = rot[1, 0], rot[1, 1], rot[1, 2]
+    r20, r21, r22 = rot[2, 0], rot[2, 1], rot[2, 2]
+    ax, ay, az = legs[0, 0], legs[0, 1], legs[0, 2]
+    bx, by, bz = legs[1, 0], legs[1, 1], legs[1, 2]
+    cx, cy, cz = legs[2, 0], legs[2, 1], legs[2, 2]
+    dx, dy, dz = legs[3, 0], legs[3, 1], legs[3, 2]
+    n00 = n10 = n11 = n20 = n21 = n22 = n30 = n31 = n32 = n33 = 0.0
+    n40 = n41 = n42 = n43 = n44 = n50 = n51 = n52 = n53 = n54 = n55 = 0.0
+    s0 = s1 = s2 = s3 = s4 = s5 = 0.0
+    # weights of 0 and choices in place of branches: the loop runs in vector registers
+    for q in range(local.shape[1]):
+        d0, d1, d2 = local[0, q] - p0, local[1, q] - p1, local[2, q] - p2
+        x = d0 * r00 + d1 * r10 + d2 * r20
+        y = d0 * r01 + d1 * r11 + d2 * r21
+        z = d0 * r02 + d1 * r12 + d2 * r22
+        lean_a, lean_b = x * ax + y * ay + z * az, x * bx + y * by + z * bz
+        lean_c, lean_d = x * cx + y * cy + z * cz, x * dx + y * dy + z * dz
+        first, second = max(lean_a, lean_b), max(lean_c, lean_d)
+        axial = max(first, second)
+        on_b, on_d, on_second = lean_b > lean_a, lean_d > lean_c, second > first
+        ux, vx = bx if on_b else ax, dx if on_d else cx
+        uy, vy = by if on_b else ay, dy if on_d else cy
+        uz, vz = bz if on_b else az, dz if on_d else cz
+        ux, uy, uz = vx if on_second else ux, vy if on_second else uy, vz if on_second else uz
+        rho = np.sqrt(max(x * x + y * y + z * z - axial * axial, 1e-18))
+        lateral, end = (rho - radius + gradient * axial) * cosine, axial - length
+        disc = end > lateral
+        dist = max(end, lateral)
+        rim = (end > 0.0) & (rho > edge)
+        # of the cone, or of its end disc
+        out, along = 0.0 if disc else cosine / rho, 1.0 if disc else (gradient - axial / rho) * cosine
+        nx, ny, nz = x * out + ux * along, y * out + uy * along, z * out + uz * along
+        gx = r00 * nx + r01 * ny + r02 * nz
+        gy = r10 * nx + r11 * ny + r12 * nz
+        gz = r20 * nx + r21 * ny + r22 * nz
+        agree = abs(gx * local[3, q] + gy * local[4, q] + gz * local[5, q])
+        near = 1.0 - (dist / limit) ** 2
+        w = near * near if (near >= 0.0) & (agree >= LEAST_AGREEMENT_OF_FIT) & ~rim else 0.0
+        # moving the unit by dX changes the distance by -n.dX; turning it by dw by -(d x n).dw
+        tx, ty, tz = (d1 * gz - d2 * gy) / height, (d2 * gx - d0 * gz) / height, (d0 * gy - d1 * gx) / height
+        wx, wy, wz, ox, oy, oz = w * gx, w * gy, w * gz, w * tx, w * ty, w * tz
+        s0 += wx * dist
+        s1 += wy * dist
+        s2 += wz * dist
+        s3 += ox * dist
+        s4 += oy * dist
+        s5 += oz * dist
+        n00 += wx * gx
+        n10 += wy * gx
+        n11 += wy * gy
+        n20 += wz * gx
+        n21 += wz * gy
+        n22 += wz * gz
+        n30 += ox * gx
+        n31 += ox * gy
+        n32 += ox * gz
+        n33 += ox * tx
+        n40 += oy * gx
+        n41 += oy * gy
+        n42 += oy * gz
+        n43 += oy * tx
+        n44 += oy * ty
+        n50 += oz * gx
+        n51 += oz * gy
+        n52 += oz * gz
+        n53 += oz * tx
+        n54 += oz * ty
+        n55 += oz * tz
+    right[0], right[1], right[2], right[3], right[4], right[5] = s0, s1, s2, s3, s4, s5
+    normal[0, 0] = n00
+    normal[1, 0], normal[1, 1] = n10, n11
+    normal[2, 0], normal[2, 1], normal[2, 2] = n20, n21, n22
+    normal[3, 0], normal[3, 1], normal[3, 2], normal[3, 3] = n30, n31, n32, n33
+    normal[4, 0], normal[4, 1], normal[4, 2], normal[4, 3], normal[4, 4] = n40, n41, n42, n43, n44
+    normal[5, 0], normal[5, 1], normal[5, 2], normal[5, 3], normal[5, 4], normal[5, 5] = n50, n51, n52, n53, n54, n55

@@ -16,6 +16,7 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray
 from ..common.kernels import kernel
+from ..common.least_axis import least_axis
 from ..common.neighbourhood import build_grid, gather
 from ..common.voxels import thin
 
@@ -209,13 +210,9 @@ def _normals(points: Any, every: Any, radius: float, bend_radius: float, grid: A
             zz += z * z
             m += 1
         cx, cy, cz = cx / m, cy / m, cz / m
-        cov = np.empty((3, 3))
-        cov[0, 0], cov[1, 1], cov[2, 2] = xx - m * cx * cx, yy - m * cy * cy, zz - m * cz * cz
-        cov[0, 1] = cov[1, 0] = xy - m * cx * cy
-        cov[0, 2] = cov[2, 0] = xz - m * cx * cz
-        cov[1, 2] = cov[2, 1] = yz - m * cy * cz
-        _, vectors = np.linalg.eigh(cov)
-        nx, ny, nz = vectors[0, 0], vectors[1, 0], vectors[2, 0]
+        xx, xy, xz = xx - m * cx * cx, xy - m * cx * cy, xz - m * cx * cz
+        yy, yz, zz = yy - m * cy * cy, yz - m * cy * cz, zz - m * cz * cz
+        nx, ny, nz = least_axis(xx, xy, xz, yy, yz, zz)
         normals[i, 0], normals[i, 1], normals[i, 2] = nx, ny, nz
         # convexity: slope of the height over the tangent plane against the squared distance
         su = sh = suu = suh = shh = 0.0
