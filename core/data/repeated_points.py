@@ -1,4 +1,4 @@
-"""Points that several tiles of one cloud hold: where tiles overlap, or were exported twice."""
+"""Points that several tiles of one cloud hold, where tiles overlap or were exported twice, and an order that puts copies side by side."""
 
 from __future__ import annotations
 
@@ -6,24 +6,48 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from ..common.arrays import BoolArray, FloatArray
+from ..common.arrays import BoolArray, FloatArray, IntArray
+
+
+def by_place(xyz: FloatArray, source_id: NDArray[np.uint16], gps_time: FloatArray) -> IntArray:
+    """(n,) order of points by easting, northing, height, source and time: one that does not hang on the tiles they came from.
+
+    The same as ``np.lexsort`` of all five, in a third of the time: few points share easting and northing.
+    """
+    plan = np.empty(len(xyz), dtype=np.complex128)
+    # numpy orders complex numbers by their real parts, then by the others
+    plan.real, plan.imag = xyz[:, 0], xyz[:, 1]
+    order = np.argsort(plan, kind="stable")
+    plan = plan[order]
+    same = plan[1:] == plan[:-1]
+    tied = np.zeros(len(xyz), dtype=np.bool_)
+    tied[1:] |= same
+    tied[:-1] |= same
+    again = order[tied]
+    order[tied] = again[np.lexsort((gps_time[again], source_id[again], xyz[again, 2], xyz[again, 1], xyz[again, 0]))]
+    return np.asarray(order, dtype=np.int64)
 
 
 def second_copies(
     xyz: FloatArray, source_id: NDArray[np.uint16], gps_time: FloatArray, tile: NDArray[np.int64], resolution: float
 ) -> BoolArray:
-    """(n,) points that stand in an earlier tile too: of the same source and time, and at the same place but for rounding."""
+    """(n,) points that stand in an earlier tile too: of the same source and time, and at the same place but for rounding.
+
+    Points of one tile follow one another, in the order of the (n,) tiles' numbers.
+    """
     again = np.zeros(len(xyz), dtype=np.bool_)
     numbers = np.unique(tile)
     if len(numbers) < 2:
         return again
     reach = 1.02 * resolution + 1e-9
-    boxes = {k: (xyz[tile == k].min(axis=0) - reach, xyz[tile == k].max(axis=0) + reach) for k in numbers}
+    parts = [slice(*np.searchsorted(tile, (k, k + 1))) for k in numbers]
+    boxes = [(xyz[part].min(axis=0) - reach, xyz[part].max(axis=0) + reach) for part in parts]
     shared = np.zeros(len(xyz), dtype=np.bool_)
-    for k in numbers:
-        own = np.flatnonzero(tile == k)
-        for low, high in (boxes[other] for other in numbers if other != k):
-            shared[own] |= ((xyz[own] >= low) & (xyz[own] <= high)).all(axis=1)
+    for k, part in enumerate(parts):
+        own_low, own_high = boxes[k]
+        for low, high in (*boxes[:k], *boxes[k + 1 :]):
+            if (low <= own_high).all() and (high >= own_low).all():
+                shared[part] |= ((xyz[part] >= low) & (xyz[part] <= high)).all(axis=1)
     chosen = np.flatnonzero(shared)
     chosen = chosen[np.lexsort((tile[chosen], gps_time[chosen], source_id[chosen]))]
     if not len(chosen):

@@ -21,7 +21,7 @@ from .crs import TileTransform, crs_text, parse_crs, resolved_crs, tile_transfor
 from .las_crs import declared_crs
 from .las_files import LasHeader, chunks_of, copc_chunks, open_points, positions, read_header
 from .occupancy import Occupancy, merged, stray_cells
-from .repeated_points import second_copies
+from .repeated_points import by_place, second_copies
 from .scan_cache import Scan
 from .tile_extent import looked_through, main_part, point_records, said_of_extent, scanned, usable
 
@@ -369,7 +369,7 @@ def read_points(
     again = second_copies(xyz, source_id, gps_time, tile_of, max((tile.resolution for tile in tiles), default=0.0))
     if again.any():
         cloud = cloud.select(~again)
-    cloud = cloud.select(np.lexsort((cloud.gps_time, cloud.source_id, cloud.xyz[:, 2], cloud.xyz[:, 1], cloud.xyz[:, 0])))
+    cloud = cloud.select(by_place(cloud.xyz, cloud.source_id, cloud.gps_time))
     same = (np.diff(cloud.xyz, axis=0) == 0).all(axis=1) & (np.diff(cloud.gps_time) == 0) & (cloud.source_id[1:] == cloud.source_id[:-1])
     return cloud.select(np.concatenate([[True], ~same])) if same.any() else cloud
 
