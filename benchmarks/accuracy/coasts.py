@@ -5,8 +5,9 @@
 
 Columns: centres of units in the control frame (RMSE, mm, and mean squared normalised error per coordinate, 1 is honest); in both datums
 RMSE of the displacements of units seen to 15 % or more in both epochs (mm) and that of all resting units, the same error of these,
-resting units flagged (%), and moves of 2 cm or more found; resting stretches called significant in both datums, of how many; targets
-excluded in epochs before the last, which are all good, and in the last, where one was knocked by twelve times the deviation of a target.
+coordinates of these within their 95 % bounds (%), resting units flagged (%), and moves of 2 cm and of 5 cm or more found; resting
+stretches called significant in both datums, of how many; targets excluded in epochs before the last, which are all good, and in the last,
+where one was knocked by twelve times the deviation of a target.
 """
 
 from __future__ import annotations
@@ -33,8 +34,10 @@ from tetratrack.core.simulation.virtual_survey import simulate_survey
 
 WELL_SEEN = 0.15
 """Least share of a unit's surface that an epoch sees for its displacement to count in the first figure."""
-SEEN_MOVE = 0.02
-"""Least true motion that counts as found or not, metres."""
+SEEN_MOVES = (0.02, 0.05)
+"""Least true motions that count as found or not, metres."""
+BOUND_95 = 1.96
+"""Standard deviations within which 95 % of normal errors lie."""
 TURN, SHIFT = 4.0, np.array([3.1, -2.3, 1.6])
 """Degrees about the vertical and metres by which a turned cloud lies."""
 VECTORS = "select unit_id, epoch_from, epoch_to, de, dn, dh, sd_e, sd_n, sd_h, significant from "
@@ -134,7 +137,7 @@ def _displacements(connection: sqlite3.Connection, datum: str, folder: Path, nam
         (row["unit_id"], row["epoch"]): float(row["visible_area_fraction"] or 0)
         for row in csv.DictReader((folder / "truth/units.csv").open())
     }
-    well_seen, lengths, squares, false, found = [], [], [], [], []
+    well_seen, lengths, squares, within, false, found = [], [], [], [], [], []
     for unit, first, second, *values in connection.execute(QUERIES[datum]):
         name = names.get((unit, first))
         if name is None or name != names.get((unit, second)) or (name, first, second) not in truth:
@@ -145,14 +148,18 @@ def _displacements(connection: sqlite3.Connection, datum: str, folder: Path, nam
             well_seen.append(float(error @ error))
         if not moved:
             lengths.append(float(error @ error))
-            squares.append(float(np.mean((error / values[3:6]) ** 2)))
+            normalised = error / values[3:6]
+            squares.append(float(np.mean(normalised**2)))
+            within.append(float(np.mean(np.abs(normalised) < BOUND_95)))
             false.append(bool(values[6]))
-        elif np.linalg.norm(vector) >= SEEN_MOVE:
-            found.append(bool(values[6]))
+        else:
+            found.append((float(np.linalg.norm(vector)), bool(values[6])))
     if not lengths:
         return "-"
     rmse, resting = (1000 * np.sqrt(np.mean(values)) if values else np.nan for values in (well_seen, lengths))
-    return f"{rmse:.1f}, {resting:.1f}, {np.mean(squares):.2f}, {100 * np.mean(false):.1f} %, {sum(found)}/{len(found)}"
+    moves = [[flag for length, flag in found if length >= least] for least in SEEN_MOVES]
+    parts = [f"{rmse:.1f}, {resting:.1f}, {np.mean(squares):.2f}, {100 * np.mean(within):.1f} %, {100 * np.mean(false):.1f} %"]
+    return ", ".join([*parts, *(f"{sum(flags)}/{len(flags)}" for flags in moves)])
 
 
 def _stretches(connection: sqlite3.Connection) -> str:
