@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray, IntArray
+from ..common.kernels import kernel
 from ..common.neighbourhood import build_grid
-from ..model.tetrapod import distance_to_surface, relate
+from ..model.tetrapod import relate
 from ..model.unit_types import UnitType
+from .cone_relation import ConeShape, relate_point
 
 
 def assign(
@@ -30,10 +34,11 @@ def assign(
     if not len(poses) or not len(points):
         return labels, distance
     reach = unit.reach + tolerance
-    grid = build_grid(points, 0.25 * reach)
+    grid, shape = build_grid(points, 0.25 * reach), ConeShape.of(unit)
+    points, poses = np.ascontiguousarray(points), np.ascontiguousarray(poses)
     for k in range(len(poses)):
         index = grid.within(points, poses[k, :3], reach)
-        own = distance_to_surface((points[index] - poses[k, :3]) @ poses[k, 3:].reshape(3, 3), unit)
+        own = _distances(points[index], poses[k], shape)
         nearer = np.abs(own) < np.abs(distance[index])
         distance[index[nearer]] = own[nearer]
         close = nearer & (np.abs(own) < tolerance)
@@ -50,7 +55,8 @@ def contested(points: FloatArray, labels: IntArray, poses: FloatArray, unit: Uni
     not by residual, and where its mirror image in its own unit's surface is nearer to another: points on the side towards a neighbour
     are lost to it, and without those on the other side they leave no bias.
     """
-    near_another = np.zeros(len(points), dtype=np.bool_)
+    near_another, shape = np.zeros(len(points), dtype=np.bool_), ConeShape.of(unit)
+    points, poses = np.ascontiguousarray(points), np.ascontiguousarray(poses)
     centres = cKDTree(poses[:, :3])
     order = np.argsort(labels, kind="stable")
     starts = np.searchsorted(labels[order], np.arange(len(poses) + 1))
@@ -67,15 +73,24 @@ def contested(points: FloatArray, labels: IntArray, poses: FloatArray, unit: Uni
             inside = np.flatnonzero(np.sum((foot - poses[j, :3]) ** 2, axis=1) < reach**2)
             if j == k or not len(inside):
                 continue
-            gap = _distance(foot[inside], poses[j], unit)
+            gap = np.abs(_distances(foot[inside], poses[j], shape))
             near_another[own[inside[gap < clearance]]] = True
             # the image is no further from the foot than the point
             inside = inside[(gap >= clearance) & (gap < 2 * size[inside])]
             image = foot[inside] - relation.distance[inside, None] * normal[inside]
-            near_another[own[inside[_distance(image, poses[j], unit) < size[inside]]]] = True
+            near_another[own[inside[np.abs(_distances(image, poses[j], shape)) < size[inside]]]] = True
     return near_another
 
 
-def _distance(points: FloatArray, pose: FloatArray, unit: UnitType) -> FloatArray:
-    """(n,) distance of (n, 3) points from the surface of a unit with a pose (12,), metres."""
-    return np.abs(distance_to_surface((points - pose[:3]) @ pose[3:].reshape(3, 3), unit))
+@kernel()
+def _distances(points: Any, pose: Any, shape: Any) -> Any:
+    """(n,) signed distances of (n, 3) points from the surface of a unit with a pose (12,), metres."""
+    legs, radius, gradient, length, _ = shape
+    result = np.empty(len(points))
+    for i in range(len(points)):
+        d0, d1, d2 = points[i, 0] - pose[0], points[i, 1] - pose[1], points[i, 2] - pose[2]
+        x = d0 * pose[3] + d1 * pose[6] + d2 * pose[9]
+        y = d0 * pose[4] + d1 * pose[7] + d2 * pose[10]
+        z = d0 * pose[5] + d1 * pose[8] + d2 * pose[11]
+        _, result[i], _, _, _ = relate_point(x, y, z, legs, radius, gradient, length)
+    return result
