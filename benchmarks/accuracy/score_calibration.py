@@ -90,9 +90,8 @@ def _features(judged: JudgedPoses, unit: UnitType, kind: str) -> np.ndarray:
     if kind == "residuals":
         if judged.residuals is None:
             raise SystemExit("raw residuals are of clouds whose noise was taken off")
-        return residual_features(
-            score_among(judged.evidence, judged.poses[:, :3], judged.tolerance, judged.typical, unit), judged.residuals
-        )
+        scores = score_among(judged.evidence, judged.poses[:, :3], judged.tolerance, judged.typical, unit)
+        return residual_features(scores, judged.residuals, judged.evidence.support)
     return (bridged_features if kind == "bridged" else score_features)(judged.evidence, judged.tolerance, judged.typical)
 
 

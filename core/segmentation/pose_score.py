@@ -111,9 +111,10 @@ BRIDGED_SHARE = 0.92
 surveys by laser and by images matched ideally, 0.75 to 0.83 where hollows of 5 to 15 cm are bridged, 0.86 on real units by images."""
 MOST_LOG_ODDS = 6.0
 """Of the rich model, that a bridged cloud believes; of the smoothed one, that raw points believe."""
-WITH_RESIDUALS = Weights(-11.56, (0.96, -1.88, 2.89, -2.53))
-"""Of the log-odds by the elements and their place, and of :func:`.raw_residuals.raw_residuals`, in noise of 3.3 and 1.3 % of the height: at
-2.1 % they hold as well."""
+WITH_RESIDUALS = Weights(-17.57, (0.84, -2.24, 4.94, -2.69, 0.73))
+"""Of :func:`residual_features`, in noise of 3.3 and 1.3 % of the height: at 2.1 % they hold as well."""
+MOST_WITHIN = 1.15
+"""Variance of points within patches, over that of the noise, beyond which more says nothing: on sure poses 1.1 to 1.16."""
 USUAL_RESIDUALS, FEWEST_SURE = (0.8, 1.2, -3.75), 3
 """Raw residuals, medians over the sure poses of a cloud, that no simulated one exceeds; where those of so many do, what is beyond (moulds
 that differ, strips that do not fit) says nothing."""
@@ -208,20 +209,25 @@ def score_among(found: Evidence, centres: FloatArray, tolerance: float, typical:
     return np.where(sure, np.maximum(own, among), among)
 
 
-def score_with_residuals(scores: FloatArray, residuals: FloatArray) -> FloatArray:
-    """(k,) scores of smoothed clouds as (k, 3) raw residuals change them: see :func:`.raw_residuals.raw_residuals`."""
-    features = residual_features(scores, residuals)
-    log_odds = WITH_RESIDUALS.intercept + features @ np.array(WITH_RESIDUALS.features)
+def score_with_residuals(scores: FloatArray, residuals: FloatArray, support: FloatArray) -> FloatArray:
+    """(k,) scores of smoothed clouds as raw points change them; arguments as in :func:`residual_features`."""
+    log_odds = WITH_RESIDUALS.intercept + residual_features(scores, residuals, support) @ np.array(WITH_RESIDUALS.features)
     return np.where(scores > 0, 1 / (1 + np.exp(-log_odds)), 0.0)
 
 
-def residual_features(scores: FloatArray, residuals: FloatArray) -> FloatArray:
-    """(k, 4) log-odds of (k,) scores, as far as believed, and (k, 3) raw residuals less what is beyond the usual on sure poses."""
+def residual_features(scores: FloatArray, residuals: FloatArray, support: FloatArray) -> FloatArray:
+    """(k, 5) what the score of a smoothed cloud is made of.
+
+    Log-odds of (k,) ``scores`` by the elements and their place, as far as believed; (k, 3) :func:`.raw_residuals.raw_residuals` less what
+    is beyond the usual on sure poses; logarithm of the (k,) supporting elements: few points agree by chance.
+    """
     likely = np.clip(scores, 1e-12, 1 - 1e-12)
+    log_odds = np.clip(np.log(likely / (1 - likely)), -MOST_LOG_ODDS, MOST_LOG_ODDS)
     sure = scores >= SURE_ALONE
     if np.count_nonzero(sure) >= FEWEST_SURE:
         residuals = residuals - np.maximum(np.median(residuals[sure], axis=0) - USUAL_RESIDUALS, 0.0)
-    return np.column_stack([np.clip(np.log(likely / (1 - likely)), -MOST_LOG_ODDS, MOST_LOG_ODDS), residuals])
+    patches, within, inside = residuals.T
+    return np.column_stack([log_odds, patches, np.minimum(within, MOST_WITHIN), inside, np.log1p(support)])
 
 
 def among_feature(centres: FloatArray, sure: BoolArray, unit: UnitType) -> FloatArray:

@@ -195,7 +195,7 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     residuals = None
     if scene.smoothed:
         residuals = raw_residuals(points, poses, unit, thinned.noise)
-        scores = score_with_residuals(scores, residuals)
+        scores = score_with_residuals(scores, residuals, found.support)
     poses, certainty = settle_twists(poses, found, scores >= FOUND_SCORE, scene, owner)
     return JudgedPoses(
         thinned=thinned,

@@ -38,7 +38,7 @@ def test_patches_of_a_wrong_pose_lie_off_its_surface(cloud):
     beside = TRUE.shifted(np.array([0.03 * H, 0, 0]))
     right, wrong = (raw_residuals(cloud, row(pose)[None], UNIT, NOISE)[0] for pose in (TRUE, beside))
     assert wrong[0] > right[0] + 0.7
-    scores = score_with_residuals(np.array([0.65, 0.65]), np.vstack([right, wrong]))
+    scores = score_with_residuals(np.array([0.65, 0.65]), np.vstack([right, wrong]), np.full(2, 150.0))
     assert scores[0] > 0.7
     assert scores[1] < 0.4
 
@@ -64,17 +64,23 @@ def test_what_hardly_any_point_tells_stays_as_it_is(cloud):
 def test_scores_are_believed_up_to_a_limit():
     good = np.tile([0.26, 1.1, -3.8], (4, 1))
     limit = 1 / (1 + np.exp(-MOST_LOG_ODDS))
-    scores = score_with_residuals(np.array([0.0, 0.5, limit, 1.0]), good)
+    scores = score_with_residuals(np.array([0.0, 0.5, limit, 1.0]), good, np.full(4, 150.0))
     assert scores[0] == 0.0
     assert 0.5 < scores[1] < scores[2]
     assert scores[2] == pytest.approx(scores[3])
 
 
 def test_what_all_sure_poses_of_a_cloud_show_speaks_against_none():
-    scores, good = np.array([0.7, 0.99, 0.99, 0.99]), np.tile([0.5, 1.1, -3.8], (4, 1))
+    scores, support, good = np.array([0.7, 0.99, 0.99, 0.99]), np.full(4, 150.0), np.tile([0.5, 1.1, -3.8], (4, 1))
     odd = good + np.array([1.5, 0.0, 0.0])
     usual = np.array([USUAL_RESIDUALS[0] - 0.5, 0.0, 0.0])
-    assert score_with_residuals(scores, odd) == pytest.approx(score_with_residuals(scores, good + usual))
+    assert score_with_residuals(scores, odd, support) == pytest.approx(score_with_residuals(scores, good + usual, support))
     # two sure poses tell nothing of the cloud
-    few = score_with_residuals(scores[:3], odd[:3])
-    assert few[0] < score_with_residuals(scores, odd)[0] - 0.2
+    few = score_with_residuals(scores[:3], odd[:3], support[:3])
+    assert few[0] < score_with_residuals(scores, odd, support)[0] - 0.2
+
+
+def test_few_elements_agree_by_chance():
+    good = np.tile([0.0, 1.5, -3.9], (2, 1))
+    few, many = score_with_residuals(np.array([0.4, 0.4]), good, np.array([60.0, 400.0]))
+    assert few < many - 0.1
