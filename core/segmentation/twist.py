@@ -30,11 +30,14 @@ TURN = 2 * np.pi / 3
 STEPS = 30
 """Twists looked at, four degrees apart."""
 ANGLES = np.arange(STEPS) * TURN / STEPS
-WORTH_SCALE, MOST_ALIGNED = 0.04, 4.0
-"""Share of its worth that makes a twist less likely by a factor e, a few of a hundred elements, which chance easily aligns; and elements
-that do so at the most: those of the leg that is turned about fit at every twist and say nothing, however many they are. Of 104 units of
-twelve simulated surveys with one or two legs that show, 2 elements explain the true twists best and 4 nearly as well; 34 of the 64 with two
-legs have more than 300 elements, and all 64 have their true twist where most elements fit."""
+WORTH_SCALE = 0.04
+"""Share of its worth that makes a twist less likely by a factor e: a few of a hundred elements, which chance easily aligns. To its mean a
+unit is turned: real legs lie some centimetres off their cones, and what a few elements of a second one prefer is no better start."""
+ALIGNED = 4.0
+"""Elements that make a twist less likely by a factor e where it is asked how sure it is: those of the leg that is turned about fit at
+every twist and say nothing, however many they are. Of 104 units of twelve simulated surveys with one or two legs that show, 2 elements
+explain the true twists best and 4 nearly as well; 34 of the 64 with two legs have more than 300 elements, and all 64 have their true twist
+where most elements fit."""
 ROOM_SD = 0.015
 """Share of a unit's volume by which true neighbours seem to enter each other, as poses are not exact (standard deviation)."""
 SURELY_NOT = 1e-12
@@ -104,12 +107,14 @@ def settle_twists(poses: FloatArray, found: Evidence, sure: BoolArray, scene: Sc
         near = [j for j in standing if np.sum((poses[j, :3] - poses[k, :3]) ** 2) < (2 * unit.reach) ** 2]
         twists = _turned(poses[k], leg[k], ANGLES, unit)
         entered = np.array([[overlap(pose, poses[j], unit) for j in near] for pose in twists]).reshape(STEPS, len(near))
-        known = twist_of(values[k], entered_by_trust(entered, np.array([standing[j] for j in near])), unit)
+        trust = np.array([standing[j] for j in near])
+        known = twist_of(values[k], entered_by_trust(entered, trust), unit)
         if known.sd > OPEN_TWIST:
             poses[k] = _turned(poses[k], leg[k], np.array([known.mean]), unit)[0]
         rival = _best_rival(poses[k], leg[k], poses[near], scene, owner == k, owner < 0)
         margin = (1 - rival / max(float(log_likelihood(twisted[k], scene.tolerance).max()), 1e-9)) / RIVAL_MARGIN
-        certainty[k] = min(known.certainty, float(np.clip(margin, 0, 1)))
+        sure_of = twist_of(values[k], entered_by_trust(entered, trust), unit, ALIGNED)
+        certainty[k] = min(sure_of.certainty, float(np.clip(margin, 0, 1)))
         if sure[k] and certainty[k] > 0.5:
             standing[int(k)] = float(certainty[k])
     return poses, certainty
@@ -147,10 +152,13 @@ def log_likelihood(found: Evidence, tolerance: float) -> FloatArray:
     return np.asarray(worth(found) * np.maximum(np.log(4 / (math.sqrt(2 * math.pi * math.e) * misfit)), 0.0))
 
 
-def twist_of(values: FloatArray, entered: FloatArray, unit: UnitType) -> Twist:
-    """What (STEPS,) worths and shares of volume inside neighbours say of the twist, each step as likely as any before."""
+def twist_of(values: FloatArray, entered: FloatArray, unit: UnitType, aligned: float = math.inf) -> Twist:
+    """What (STEPS,) worths and shares of volume inside neighbours say of the twist, each step as likely as any before.
+
+    ``WORTH_SCALE`` of the worth, but no more than ``aligned`` elements, make a twist less likely by a factor e.
+    """
     most = float(values.max())
-    exponent = (most - values) / min(WORTH_SCALE * max(most, 1e-9), MOST_ALIGNED) + 0.5 * (entered / ROOM_SD) ** 2
+    exponent = (most - values) / min(WORTH_SCALE * max(most, 1e-9), aligned) + 0.5 * (entered / ROOM_SD) ** 2
     likely = np.exp(exponent.min() - exponent)
     likely /= likely.sum()
     mean = float(np.angle(np.sum(likely * np.exp(3j * ANGLES))) / 3)
