@@ -11,6 +11,7 @@ from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.segmentation.scene import Evidence
 from tetratrack.core.segmentation.segment import FOUND_SCORE, segment
 from tetratrack.core.segmentation.twist import (
+    ALIGNED,
     LEAST_CERTAINTY,
     LEAST_MISFIT,
     ROOM_SD,
@@ -112,6 +113,22 @@ def test_points_that_prefer_one_twist_settle_it():
     assert known.mean == pytest.approx(10 * TURN / STEPS, abs=0.03)
     assert known.sd < np.radians(8)
     assert known.certainty > 0.95
+
+
+def test_a_second_leg_settles_how_sure_a_twist_is_however_many_elements_the_first_has():
+    """Twelve elements of a second leg at one twist, as on a right unit of a simulated scan that has 505 on its first."""
+    values = np.full(STEPS, 505.0)
+    values[0] = 517.0
+    assert twist_of(values, np.zeros(STEPS), UNIT, ALIGNED).certainty > 3 * twist_of(values, np.zeros(STEPS), UNIT).certainty
+    values[0] = 525.0
+    assert twist_of(values, np.zeros(STEPS), UNIT, ALIGNED).certainty > 0.65
+    # three are chance
+    values[0] = 508.0
+    assert twist_of(values, np.zeros(STEPS), UNIT, ALIGNED).certainty < 0.2
+    # few elements are weighed as before
+    few = np.full(STEPS, 60.0)
+    few[0] = 70.0
+    assert twist_of(few, np.zeros(STEPS), UNIT, ALIGNED).certainty == twist_of(few, np.zeros(STEPS), UNIT).certainty
 
 
 def test_tolerated_twist_keeps_the_feature_points_near():
