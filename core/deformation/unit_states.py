@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..adjustment.shape_effects import PRIOR_SIZE_SD
 from ..common.arrays import BoolArray, IntArray
 from ..common.robust import sd_of_deviations
 from ..model.unit_types import UnitType
@@ -17,8 +18,6 @@ from .tracked_epoch import TrackedUnit
 
 LEAST_SIZE_SPREAD = 0.003
 """Relative standard deviation of the size of units from one set of moulds, at the least."""
-CAST_SIZE_SD = 0.007
-"""Relative standard deviation of the size of castings, as measured on seven real units (docs/method.md)."""
 SURE_SCORE = 0.99
 """Score of a unit whose size is held against what castings of any moulds differ by, at least."""
 ODD_SIZE = 4.5
@@ -52,7 +51,7 @@ def odd_sizes(joint: JointAdjustment, kinds: IntArray, units: Sequence[UnitType]
         shares = np.abs(scales[own] - np.median(scales[own])) / np.sqrt(told)
         # the unit that is sought must not hide behind the spread that it makes itself; a median of few may be a third too small
         spread = min(surface.size_sd, max(1.5 * sd_of_deviations(shares), LEAST_SIZE_SPREAD))
-        away = shares / np.where(sure[own], max(spread, CAST_SIZE_SD), spread)
+        away = shares / np.where(sure[own], max(spread, PRIOR_SIZE_SD), spread)
         odd += own[away > ODD_SIZE * max(sd_of_deviations(away), 1.0)].tolist()
     return frozenset(odd)
 
