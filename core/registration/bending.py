@@ -24,8 +24,9 @@ from .frame_field import FieldModel, matern
 
 FEWEST_CELLS = 15
 MOST_CELLS = 180
-"""Cells of one window of the likelihood; longer coasts are looked at in some windows."""
-WINDOWS = 2
+"""Cells of one window of the likelihood; longer coasts are looked at in several, which cover them."""
+WINDOW_STEP = 0.5
+"""Distance of windows as a share of their cells: what moved as one at the edge of one lies whole in the next."""
 LARGEST_SHARE = 1.3
 """Largest standard deviation of a field over that of the shifts themselves."""
 ALIKE = 0.5
@@ -44,8 +45,9 @@ JUMP_GAIN = 25.0
 DOUBTFUL, STEEP = 1.0, 4.0
 """Square of a step over the variance of the bend's own change at its ends from which it may be one, by the bend that all cells show, and
 from which it is, by that of all others: a bend that has to follow a step changes faster than the others do."""
-LONGEST_JUMP = 0.4
-"""Longest such stretch over the length of the structure: of more than that nobody could say which part moved."""
+LONGEST_JUMP, LONGEST_OF_WINDOW = 0.4, 0.5
+"""Longest such stretch over the length of the structure, and over that of the window which shows it: of more than that nobody could say
+which part moved."""
 MOST_JUMPS = 4
 SIDE_CELLS, SIDE_SHARE = 4, 0.5
 """Cells on one side of another, and the share of the correlation length within which they are looked for, that say whether it agrees."""
@@ -201,7 +203,7 @@ def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = G
 
 
 def explained(sample: ShiftSample, model: FieldModel) -> IntArray:
-    """Numbers of the cells that a robust adjustment of a ``model`` explains, of the windows of the likelihood: units there rest."""
+    """Numbers of the cells that a robust adjustment of a ``model`` explains: units there rest."""
     along = sample.places @ np.array(model.axis)
     return np.unique(np.concatenate([window[_kept(sample, window, model)] for window in _windows(along)]))
 
@@ -246,8 +248,8 @@ def _clearest_jump(
 ) -> tuple[float, float, float] | None:
     """Stretch (from, to) whose common motion gains most likelihood under a bend, and its square; None where none gains enough."""
     best, found = JUMP_GAIN, None
-    longest = LONGEST_JUMP * float(np.ptp(along))
-    for window in windows:
+    for number, window in enumerate(windows):
+        longest = min(LONGEST_JUMP * float(np.ptp(along)), LONGEST_OF_WINDOW * float(np.ptp(along[window])))
         free = ~sample.fixed[window]
         edges = np.arange(along[window].min(), along[window].max() + step, step / 2)
         bins = np.clip(np.searchsorted(edges, along[window], side="right") - 1, 0, len(edges) - 2)
@@ -267,6 +269,11 @@ def _clearest_jump(
             gains += 0.5 * (line[None, :] - line[:, None]) ** 2 / np.maximum(inside, 1e-12)
             sizes += ((line[None, :] - line[:, None]) / np.maximum(inside, 1e-12)) ** 2
         width = edges[None, :] - edges[:, None]
+        # an end of a window within the structure is no end of a stretch: the next window sees what lies there whole
+        if number > 0:
+            gains[0] = 0
+        if number < len(windows) - 1:
+            gains[:, bins.max() + 1 :] = 0
         # what a bend itself does over the distance in which an end is seen is no step
         gains[(width < step) | (width > longest) | (sizes < DOUBTFUL * _own_change(model, step))] = 0
         low, high = np.unravel_index(int(np.argmax(gains)), gains.shape)
@@ -309,11 +316,12 @@ def _first_model(sample: ShiftSample, along: FloatArray, lengths: FloatArray, ax
 
 
 def _windows(along: FloatArray) -> list[IntArray]:
-    """Numbers of the cells of stretches of the structure, each with what the likelihood can hold."""
+    """Numbers of the cells of stretches that cover the structure and overlap, each with what the likelihood can hold."""
     order = np.argsort(along)
     if len(order) <= MOST_CELLS:
         return [order]
-    starts = np.linspace(0, len(order) - MOST_CELLS, WINDOWS).astype(np.int64)
+    steps = math.ceil((len(order) - MOST_CELLS) / (WINDOW_STEP * MOST_CELLS))
+    starts = np.linspace(0, len(order) - MOST_CELLS, steps + 1).astype(np.int64)
     return [order[s : s + MOST_CELLS] for s in starts]
 
 

@@ -1,0 +1,42 @@
+"""Bends of long structures, of which one window of the likelihood holds a part."""
+
+from __future__ import annotations
+
+import numpy as np
+from tetratrack.core.registration.bending import ShiftSample, estimate_bending, explained
+
+SPACING = 1.5
+"""Of cells along the structure, metres."""
+
+
+def long_sample(seed: int, count: int, slide: tuple[float, float] | None = None) -> ShiftSample:
+    """Cells of a structure that bends by 3 cm over 100 m and more, each known to 2 mm; a slide is 10 cm."""
+    rng = np.random.default_rng(seed)
+    along = SPACING * np.arange(count)
+    phases = rng.uniform(0, 2 * np.pi, (3, 4))
+    lengths = rng.uniform(100, 300, (3, 4))
+    bend = 0.02 * np.sin(2 * np.pi * along[:, None, None] / lengths + phases).sum(axis=2)
+    values = bend + rng.normal(0, 0.002, bend.shape)
+    if slide is not None:
+        values[(along > slide[0]) & (along < slide[1])] += [0.07, 0.0, -0.07]
+    return ShiftSample(
+        places=np.column_stack([along, rng.uniform(0, 10, count)]),
+        values=values,
+        variances=np.full(values.shape, 0.002**2),
+        fixed=np.zeros(count, dtype=bool),
+    )
+
+
+def test_cells_of_a_whole_long_coast_rest() -> None:
+    sample = long_sample(1, 800)
+    model = estimate_bending(sample, 6.0).model
+    assert model is not None
+    assert len(explained(sample, model)) > 0.98 * 800
+
+
+def test_a_slide_anywhere_on_a_long_coast_is_no_bend() -> None:
+    for middle in (200.0, 300.0, 400.0):
+        sample = long_sample(2, 400, (middle - 12, middle + 12))
+        jumps = estimate_bending(sample, 6.0).jumps
+        assert len(jumps) == 1
+        np.testing.assert_allclose(jumps[0], (middle - 12, middle + 12), atol=3.0)
