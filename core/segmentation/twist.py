@@ -107,13 +107,13 @@ def settle_twists(poses: FloatArray, found: Evidence, sure: BoolArray, scene: Sc
         near = [j for j in standing if np.sum((poses[j, :3] - poses[k, :3]) ** 2) < (2 * unit.reach) ** 2]
         twists = _turned(poses[k], leg[k], ANGLES, unit)
         entered = np.array([[overlap(pose, poses[j], unit) for j in near] for pose in twists]).reshape(STEPS, len(near))
-        trust = np.array([standing[j] for j in near])
-        known = twist_of(values[k], entered_by_trust(entered, trust), unit)
+        trusted = entered_by_trust(entered, np.array([standing[j] for j in near]))
+        known = twist_of(values[k], trusted, unit)
         if known.sd > OPEN_TWIST:
             poses[k] = _turned(poses[k], leg[k], np.array([known.mean]), unit)[0]
         rival = _best_rival(poses[k], leg[k], poses[near], scene, owner == k, owner < 0)
         margin = (1 - rival / max(float(log_likelihood(twisted[k], scene.tolerance).max()), 1e-9)) / RIVAL_MARGIN
-        sure_of = twist_of(values[k], entered_by_trust(entered, trust), unit, ALIGNED)
+        sure_of = twist_of(values[k], trusted, unit, ALIGNED)
         certainty[k] = min(sure_of.certainty, float(np.clip(margin, 0, 1)))
         if sure[k] and certainty[k] > 0.5:
             standing[int(k)] = float(certainty[k])
