@@ -24,7 +24,7 @@ import numpy as np
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.kernels import kernel
-from ..common.positive_definite import factorise
+from ..common.positive_definite import factorise, substitute_back, whiten_columns
 from ..model.mould import AXIAL_CELLS, AZIMUTH_CELLS, DISC_CELLS, THIRD, Mould
 from ..model.unit_types import UnitType
 
@@ -296,17 +296,10 @@ def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any)
                 factor[a, b] = root[start + a] * covariance[cells[start + a], cells[start + b]] * root[start + b]
             factor[a, a] += 1.0
         factorise(factor)
-        for a in range(stop - start):
-            for k in range(a):
-                for c in range(columns):
-                    right[start + a, c] -= factor[a, k] * right[start + k, c]
-            for c in range(columns):
-                right[start + a, c] /= factor[a, a]
-        solved = right[start:stop, columns - 1].copy()
-        for a in range(stop - start - 1, -1, -1):
-            solved[a] /= factor[a, a]
-            for k in range(a):
-                solved[k] -= factor[a, k] * solved[a]
+        own = right[start:stop]
+        whiten_columns(factor, own)
+        solved = own[:, columns - 1].copy()
+        substitute_back(factor, solved)
         for a in range(stop - start):
             solved[a] *= root[start + a]
         for c in range(leg * LEG_CELLS, (leg + 1) * LEG_CELLS):

@@ -29,12 +29,29 @@ def factorise(matrix: Any) -> None:
 @kernel(makes_arrays=False)
 def solve_factorised(factor: Any, right: Any) -> None:
     """Solution for a (n,) right-hand side, in its place, by what :func:`factorise` left."""
-    n = factor.shape[0]
-    for a in range(n):
+    for a in range(factor.shape[0]):
         for k in range(a):
             right[a] -= factor[a, k] * right[k]
         right[a] /= factor[a, a]
+    substitute_back(factor, right)
+
+
+@kernel(makes_arrays=False)
+def substitute_back(factor: Any, right: Any) -> None:
+    """A (n,) right-hand side times the inverse of the factor's transpose, in its place: the second half of a solution."""
+    n = factor.shape[0]
     for a in range(n - 1, -1, -1):
         for k in range(a + 1, n):
             right[a] -= factor[k, a] * right[k]
         right[a] /= factor[a, a]
+
+
+@kernel(makes_arrays=False)
+def whiten_columns(factor: Any, right: Any) -> None:
+    """(n, q) right-hand sides times the inverse of the factor, in their place: the first half of a solution, row by row as they lie."""
+    for a in range(factor.shape[0]):
+        for k in range(a):
+            for c in range(right.shape[1]):
+                right[a, c] -= factor[a, k] * right[k, c]
+        for c in range(right.shape[1]):
+            right[a, c] /= factor[a, a]

@@ -124,15 +124,17 @@ def find_and_fit(
     runner: JobRunner,
     feedback: Feedback,
     given: Mapping[str, Sequence[tuple[float, ...]]] | None = None,
+    beside: Callable[[], None] = lambda: None,
 ) -> tuple[tuple[EpochUnits, ...], dict[str, Any]]:
     """Find units and adjust each to its points; with ``calibrate`` the shape is first estimated from the best-seen units of all epochs,
     then the units are found and adjusted anew with it.
 
-    Returns the adjusted units by epoch, and what calibration found, for the record.
+    Returns the adjusted units by epoch, and what calibration found, for the record. ``beside`` is the caller's own work while units are
+    found.
     """
     calibrates = any(unit.calibrate for unit in survey.units)
     share = 0.4 if calibrates else 0.75
-    found = segment_epochs(survey, plans, record, runner, feedback.part(0, share), given)
+    found = segment_epochs(survey, plans, record, runner, feedback.part(0, share), given, beside)
     shape_sds = tuple(_shape_sds(unit) for unit in survey.units)
     notes: dict[str, Any] = {}
     if calibrates:
@@ -158,8 +160,9 @@ def segment_epochs(
     runner: JobRunner,
     feedback: Feedback,
     given: Mapping[str, Sequence[tuple[float, ...]]] | None = None,
+    beside: Callable[[], None] = lambda: None,
 ) -> tuple[EpochUnits, ...]:
-    """Find the units of every epoch (or take ``given`` poses by epoch label), each once.
+    """Find the units of every epoch (or take ``given`` poses by epoch label), each once; ``beside`` is the caller's own work meanwhile.
 
     Raises
     ------
@@ -181,7 +184,7 @@ def segment_epochs(
         for plan, block in blocks
     ]
     what = "finding units" if given is None else "collecting points"
-    files = runner.run(jobs, lambda done, total: feedback.progress(done / total, f"{what}, block {done} of {total}"))
+    files = runner.run(jobs, lambda done, total: feedback.progress(done / total, f"{what}, block {done} of {total}"), beside)
     heights = [unit.type.height for unit in survey.units]
     result = []
     for plan in plans:

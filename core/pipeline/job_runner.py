@@ -20,6 +20,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from typing import Any, Protocol, Self
 from urllib.parse import urlsplit
@@ -83,7 +84,6 @@ class JobRunner:
     workers: int = 1
     scheduler: str | None = None
     is_cancelled: Callable[[], bool] = lambda: False
-    _beside: Callable[[], None] | None = field(default=None, init=False, repr=False)
     _pool: ProcessPoolExecutor | None = field(default=None, init=False, repr=False)
     _strangers: frozenset[Any] = field(default=frozenset(), init=False, repr=False)
     _processes: frozenset[Any] = field(default=frozenset(), init=False, repr=False)
@@ -100,15 +100,22 @@ class JobRunner:
             self._pool.shutdown(wait=True, cancel_futures=True)
             self._pool = None
 
-    def beside(self, work: Callable[[], None]) -> None:
-        """Have the caller's own work done during the next :meth:`run`: while processes are busy, or before its jobs where there are none.
-
-        What it raises ends that run.
-        """
-        self._beside = work
-
-    def run(self, jobs: Sequence[Job], progress: Callable[[int, int], None] = lambda done, total: None) -> list[Path]:
+    def run(
+        self,
+        jobs: Sequence[Job],
+        progress: Callable[[int, int], None] = lambda done, total: None,
+        beside: Callable[[], None] = lambda: None,
+    ) -> list[Path]:
         """Run what is not done yet; returns the result files in the order of the jobs.
+
+        Parameters
+        ----------
+        jobs
+            In any order.
+        progress
+            Told how many are done, of how many.
+        beside
+            The caller's own work meanwhile: while processes are busy, or before the jobs where there are none. What it raises ends the run.
 
         Raises
         ------
@@ -122,19 +129,15 @@ class JobRunner:
         done = len(jobs) - len(todo)
         progress(done, len(jobs))
         if self.scheduler is None and self.workers > 1 and len(todo) > 1:
-            finished = self._in_processes(todo)
+            # jobs that are tried again do not have it done again
+            finished = self._in_processes(todo, cache(beside))
         else:
-            self._work_beside()
+            beside()
             finished = self._here(todo) if self.scheduler is None else self._on_cluster(todo)
         for _ in finished:
             done += 1
             progress(done, len(jobs))
         return paths
-
-    def _work_beside(self) -> None:
-        work, self._beside = self._beside, None
-        if work is not None:
-            work()
 
     def _here(self, tasks: Sequence[Task]) -> Iterator[None]:
         for task in tasks:
@@ -145,12 +148,12 @@ class JobRunner:
                 _run_and_save(*task)
             yield
 
-    def _in_processes(self, tasks: Sequence[Task]) -> Iterator[None]:
+    def _in_processes(self, tasks: Sequence[Task], beside: Callable[[], None]) -> Iterator[None]:
         _check_main_guard()
         waiting = list(tasks)
         for attempt in range(1, ATTEMPTS + 1):
             try:
-                for task in self._pool_pass(tuple(waiting)):
+                for task in self._pool_pass(tuple(waiting), beside):
                     waiting.remove(task)
                     yield
                 return
@@ -166,13 +169,13 @@ class JobRunner:
                         "with --resume finished blocks are kept."
                     ) from error
 
-    def _pool_pass(self, tasks: Sequence[Task]) -> Iterator[Task]:
+    def _pool_pass(self, tasks: Sequence[Task], beside: Callable[[], None]) -> Iterator[Task]:
         clean = False
         try:
             pending = self._submitted(tasks)
             # the cores are the workers' now
             with threads_of_kernels(1):
-                self._work_beside()
+                beside()
             while pending:
                 done, _ = wait(pending, timeout=0.2, return_when=FIRST_COMPLETED)
                 for future in done:

@@ -7,7 +7,7 @@ import pickle  # nosec B403 - only written, to be hashed: nothing is read back
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,14 +30,18 @@ QUESTION_PACKAGES = ("deformation", "registration")
 """Packages of ``core`` that decide an answer beside those of all jobs."""
 
 
-class LastFile:
-    """Arrays of the file that was asked for last; a copy for another process begins with none."""
+class _EmptyWhenCopied:
+    """What a process holds between calls; a copy for another process begins with nothing."""
+
+    def __reduce__(self) -> tuple[type[Self], tuple[()]]:
+        return type(self), ()
+
+
+class LastFile(_EmptyWhenCopied):
+    """Arrays of the file that was asked for last."""
 
     def __init__(self) -> None:
         self._held: dict[Path, Mapping[str, NDArray[Any]]] = {}
-
-    def __reduce__(self) -> tuple[type[LastFile], tuple[()]]:
-        return LastFile, ()
 
     def arrays(self, path: Path) -> Mapping[str, NDArray[Any]]:
         """Arrays of a file.
@@ -53,15 +57,12 @@ class LastFile:
         return self._held[path]
 
 
-class HeldClouds:
-    """Clouds of units that stay in memory, as many as it may take; a copy for another process begins with none."""
+class HeldClouds(_EmptyWhenCopied):
+    """Clouds of units that stay in memory, as many as it may take."""
 
     def __init__(self) -> None:
         self._left = HELD_POINTS
         self._held: dict[tuple[Path, int], ReadCloud] = {}
-
-    def __reduce__(self) -> tuple[type[HeldClouds], tuple[()]]:
-        return HeldClouds, ()
 
     def read(self, key: tuple[Path, int], anew: Callable[[], ReadCloud]) -> ReadCloud:
         """The cloud of a unit by file and place, read ``anew`` where it is not held."""

@@ -139,8 +139,8 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         registrations.update(register_epochs(survey, plans, feedback))
 
     with job_runner(output, options, feedback) as runner:
-        runner.beside(look_beside)
-        fitted, calibration = find_and_fit(survey, plans, record, runner, feedback.part(start, start + SHARES["fit"]))
+        part = feedback.part(start, start + SHARES["fit"])
+        fitted, calibration = find_and_fit(survey, plans, record, runner, part, beside=look_beside)
         warn_of_empty(survey, [epoch.plan for epoch in fitted if not len(epoch)], feedback)
         registrations = align_epochs(survey, fitted, registrations, feedback)
         feedback.progress(start + SHARES["fit"], "tracking units")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tetratrack.core.common.positive_definite import factorise, solve_factorised
+from tetratrack.core.common.positive_definite import factorise, solve_factorised, substitute_back, whiten_columns
 
 
 @pytest.mark.parametrize("size", [1, 3, 5, 6])
@@ -18,6 +18,18 @@ def test_solutions_are_those_of_lapack(size: int) -> None:
         solve_factorised(factor, solution)
         np.testing.assert_allclose(factor, np.linalg.cholesky(matrix), rtol=1e-9, atol=1e-12)
         np.testing.assert_allclose(solution, np.linalg.solve(matrix, right), rtol=1e-7)
+
+
+def test_halves_of_a_solution_are_those_of_the_factor() -> None:
+    rng = np.random.default_rng(3)
+    root = rng.normal(size=(7, 9))
+    factor, right = np.tril(root @ root.T), rng.normal(size=(7, 4))
+    factorise(factor)
+    whitened, back = right.copy(), right[:, 0].copy()
+    whiten_columns(factor, whitened)
+    substitute_back(factor, back)
+    np.testing.assert_allclose(factor @ whitened, right, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(factor.T @ back, right[:, 0], rtol=1e-9, atol=1e-12)
 
 
 def test_only_the_lower_triangle_is_read() -> None:

@@ -296,22 +296,23 @@ class Waiting:
 def test_the_caller_works_beside_busy_processes(tmp_path):
     mark = tmp_path / "mark"
     with JobRunner(tmp_path, workers=2) as runner:
-        runner.beside(mark.touch)
-        assert len(runner.run([Waiting(k, str(mark)) for k in range(2)])) == 2
-        mark.unlink()
-        # done once
-        runner.run([Square(k) for k in range(2)])
-        assert not mark.exists()
+        assert len(runner.run([Waiting(k, str(mark)) for k in range(2)], beside=mark.touch)) == 2
+
+
+def test_the_callers_work_is_not_repeated_with_jobs_that_are_tried_again(tmp_path):
+    done: list[int] = []
+    with JobRunner(tmp_path, workers=2) as runner:
+        runner.run([Square(1), Square(2, str(tmp_path), "die")], beside=lambda: done.append(1))
+    assert done == [1]
 
 
 def test_the_callers_work_comes_first_where_jobs_run_here(tmp_path):
     mark = tmp_path / "mark"
     with JobRunner(tmp_path, workers=1) as runner:
-        runner.beside(mark.touch)
-        runner.run([Waiting(0, str(mark))])
+        runner.run([Waiting(0, str(mark))], beside=mark.touch)
         mark.unlink()
-        runner.beside(mark.touch)
-        runner.run([Waiting(0, str(mark))])
+        # where everything is done as well
+        runner.run([Waiting(0, str(mark))], beside=mark.touch)
         assert mark.exists()
 
 
@@ -321,7 +322,6 @@ def test_a_fault_of_the_callers_work_ends_the_processes(tmp_path):
 
     before = set(multiprocessing.active_children())
     with JobRunner(tmp_path, workers=2) as runner:
-        runner.beside(fault)
         with pytest.raises(InputError, match="wrong size"):
-            runner.run([Waiting(k, str(tmp_path / "never")) for k in range(2)])
+            runner.run([Waiting(k, str(tmp_path / "never")) for k in range(2)], beside=fault)
         assert set(multiprocessing.active_children()) <= before
