@@ -6,6 +6,7 @@ numba compiles a loop when it is first called, with the kinds of arrays it is ca
 
 from __future__ import annotations
 
+import compileall
 import multiprocessing
 import tempfile
 import time
@@ -29,6 +30,7 @@ from ..core.segmentation.surface_elements import surface_elements
 from ..core.simulation.survey_plan import plan_of
 from ..core.simulation.virtual_survey import simulate_survey
 
+PACKAGE = Path(__file__).resolve().parents[1]
 UNITS = 16
 """More than the fewest of which a placement is stated."""
 POINTS = 1500
@@ -42,6 +44,7 @@ def warm_up(feedback: Feedback) -> float:
     The adjustment compiles aside while the survey is simulated and its units are searched.
     """
     began = time.monotonic()
+    keep_bytecode(PACKAGE)
     aside = multiprocessing.get_context("spawn").Process(target=fit_a_unit, daemon=True)
     aside.start()
     try:
@@ -54,6 +57,15 @@ def warm_up(feedback: Feedback) -> float:
     finally:
         aside.kill()
     return time.monotonic() - began
+
+
+def keep_bytecode(package: Path) -> None:
+    """Keep Python's own code of the modules of ``core`` and ``scripts`` beside them, where the folder can be written.
+
+    Where Python is told to write none by itself (``PYTHONDONTWRITEBYTECODE``) every process of every run would make it anew.
+    """
+    for folder in ("core", "scripts"):
+        compileall.compile_dir(package / folder, quiet=2)
 
 
 def fit_a_unit() -> None:

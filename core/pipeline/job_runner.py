@@ -9,17 +9,11 @@ from __future__ import annotations
 
 import hashlib
 import json
-import multiprocessing
-import os
-import signal
 import socket
-import sys
-import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any, Protocol, Self
@@ -27,9 +21,9 @@ from urllib.parse import urlsplit
 
 from ..common.errors import Cancelled, InputError, TetratrackError
 from ..common.kernels import threads_of_kernels
-from ..common.lifeline import IMPORTED_EXIT, start_as_worker
 from ..common.software import JOB_PACKAGES, code_fingerprint
 from .array_files import Arrays, load_arrays, save_arrays
+from .local_processes import LocalProcesses
 
 CONNECT_SECONDS = 5.0
 ATTEMPTS = 3
@@ -66,8 +60,6 @@ def job_key(kind: str, settings: Mapping[str, Any], inputs: Iterable[str]) -> st
 class JobRunner:
     """Runs jobs here, in local processes or on a cluster; as a context manager it ends its processes.
 
-    Local processes are started when first needed and serve all later calls, so that libraries are loaded once.
-
     Attributes
     ----------
     folder
@@ -78,27 +70,24 @@ class JobRunner:
         Address of a dask scheduler, or None.
     is_cancelled
         Asked while waiting.
+    processes
+        As many local processes as workers, which may be loading libraries already; None starts them when first needed.
     """
 
     folder: Path
     workers: int = 1
     scheduler: str | None = None
     is_cancelled: Callable[[], bool] = lambda: False
-    _pool: ProcessPoolExecutor | None = field(default=None, init=False, repr=False)
-    _strangers: frozenset[Any] = field(default=frozenset(), init=False, repr=False)
-    _processes: frozenset[Any] = field(default=frozenset(), init=False, repr=False)
+    processes: LocalProcesses | None = None
+
+    def __post_init__(self) -> None:
+        self._processes = self.processes or LocalProcesses(self.workers)
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def close(self) -> None:
-        """End the local processes once their jobs are done; a later call starts new ones."""
-        if self._pool is not None:
-            self._pool.shutdown(wait=True, cancel_futures=True)
-            self._pool = None
+        self._processes.close()
 
     def run(
         self,
@@ -149,16 +138,15 @@ class JobRunner:
             yield
 
     def _in_processes(self, tasks: Sequence[Task], beside: Callable[[], None]) -> Iterator[None]:
-        _check_main_guard()
         waiting = list(tasks)
         for attempt in range(1, ATTEMPTS + 1):
             try:
-                for task in self._pool_pass(tuple(waiting), beside):
+                for task in self._pass(tuple(waiting), beside):
                     waiting.remove(task)
                     yield
                 return
             except BrokenProcessPool as error:
-                if any(process.exitcode == IMPORTED_EXIT for process in self._processes):
+                if self._processes.imported:
                     raise InputError(
                         "the script that starts the run is imported by its worker processes, and would start it again in each",
                         remedy='Put the lines that start the run under: if __name__ == "__main__":',
@@ -169,17 +157,18 @@ class JobRunner:
                         "with --resume finished blocks are kept."
                     ) from error
 
-    def _pool_pass(self, tasks: Sequence[Task], beside: Callable[[], None]) -> Iterator[Task]:
+    def _pass(self, tasks: Sequence[Task], beside: Callable[[], None]) -> Iterator[Task]:
         clean = False
         try:
-            pending = self._submitted(tasks)
+            pending = self._processes.submitted([(_run_and_save, *task) for task in tasks])
+            waiting = dict(zip(pending, tasks, strict=True))
             # the cores are the workers' now
             with threads_of_kernels(1):
                 beside()
-            while pending:
-                done, _ = wait(pending, timeout=0.2, return_when=FIRST_COMPLETED)
+            while waiting:
+                done, _ = wait(waiting, timeout=0.2, return_when=FIRST_COMPLETED)
                 for future in done:
-                    task = pending.pop(future)
+                    task = waiting.pop(future)
                     future.result()
                     yield task
                 if self.is_cancelled():
@@ -187,25 +176,7 @@ class JobRunner:
             clean = True
         finally:
             if not clean:
-                for process in self._processes:
-                    process.kill()
-                self.close()
-
-    def _submitted(self, tasks: Sequence[Task]) -> dict[Future[None], Task]:
-        # an executor starts its processes as tasks come in: these inherit the environment of this moment
-        with _interrupts_held(), _worker_environment(max(1, (os.cpu_count() or 1) // self.workers)):
-            if self._pool is None:
-                self._strangers = frozenset(multiprocessing.active_children())
-                # spawned, not forked: forked copies of a process with threads (numba, OpenMP) can hang
-                self._pool = ProcessPoolExecutor(
-                    self.workers,
-                    multiprocessing.get_context("spawn"),
-                    initializer=start_as_worker,
-                    initargs=(os.getpid(), threading.current_thread() is threading.main_thread()),
-                )
-            submitted = {self._pool.submit(_run_and_save, *task): task for task in tasks}
-            self._processes = frozenset(multiprocessing.active_children()) - self._strangers
-            return submitted
+                self._processes.kill()
 
     def _on_cluster(self, tasks: Sequence[Task]) -> Iterator[None]:
         try:
@@ -262,58 +233,3 @@ def _run_and_save(job: Job, path: Path) -> None:
     """What a worker does: a job that another run finished meanwhile is not done again."""
     if load_arrays(path) is None:
         save_arrays(path, job.run())
-
-
-def _check_main_guard() -> None:
-    """Refuse to start workers from a script that would start itself again in each of them.
-
-    Raises
-    ------
-    TetratrackError
-        With the line that is missing.
-    """
-    main = sys.modules.get("__main__")
-    script = Path(getattr(main, "__file__", None) or "")
-    # a module run with -m, a console command or a notebook is not imported anew under its own name
-    if getattr(main, "__spec__", None) is not None or script.suffix != ".py" or not script.is_file():
-        return
-    if "__main__" not in script.read_text(encoding="utf-8", errors="replace"):
-        raise TetratrackError(
-            f"{script}: worker processes import this script, so that its work must stand under a line of its own: "
-            'if __name__ == "__main__": and what it does indented below. Or use workers=1.'
-        )
-
-
-@contextmanager
-def _interrupts_held() -> Iterator[None]:
-    """Let Ctrl-C and SIGTERM wait: a worker whose parent is interrupted in the middle of starting it would complain of its own."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    held: list[int] = []
-    before = {number: signal.signal(number, lambda number, _: held.append(number)) for number in (signal.SIGINT, signal.SIGTERM)}
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
-        if held:
-            signal.raise_signal(held[0])
-
-
-@contextmanager
-def _worker_environment(threads: int) -> Iterator[None]:
-    """Let started processes use that many threads each, so that workers do not compete for the cores, and import nothing from the
-    working directory."""
-    wanted = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), str(threads))
-    wanted["PYTHONSAFEPATH"] = "1"
-    before = {name: os.environ.get(name) for name in wanted}
-    os.environ.update(wanted)
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value

@@ -16,6 +16,7 @@ from ..common.errors import OutputError
 from ..common.feedback import Feedback
 from ..common.lifeline import leave_if_imported
 from .job_runner import JobRunner, check_scheduler
+from .local_processes import LocalProcesses
 
 
 @dataclass(frozen=True)
@@ -40,9 +41,17 @@ class RunOptions:
     seed: int = 0
 
 
+def processes_of(options: RunOptions) -> LocalProcesses:
+    """The local processes that a run may use, not started yet."""
+    leave_if_imported()
+    return LocalProcesses(1 if options.scheduler is not None else options.workers or os.cpu_count() or 1)
+
+
 @contextmanager
-def job_runner(output: Path, options: RunOptions, feedback: Feedback) -> Iterator[JobRunner]:
+def job_runner(output: Path, options: RunOptions, feedback: Feedback, processes: LocalProcesses | None = None) -> Iterator[JobRunner]:
     """A runner whose files are kept beside the output with ``resume`` and vanish otherwise.
+
+    ``processes`` are those of :func:`processes_of`, started already; None makes them.
 
     Raises
     ------
@@ -51,7 +60,7 @@ def job_runner(output: Path, options: RunOptions, feedback: Feedback) -> Iterato
     OutputError
         Another run is writing this output.
     """
-    leave_if_imported()
+    processes = processes or processes_of(options)
     if options.scheduler is not None:
         check_scheduler(options.scheduler)
     workers = options.workers or os.cpu_count() or 1
@@ -65,14 +74,14 @@ def job_runner(output: Path, options: RunOptions, feedback: Feedback) -> Iterato
                 raise OutputError(
                     f"cannot be made ({error.strerror})", source=folder, remedy="Check the folder's permissions and free space."
                 ) from error
-            with JobRunner(folder, workers, options.scheduler, feedback.is_cancelled) as runner:
+            with JobRunner(folder, workers, options.scheduler, feedback.is_cancelled, processes) as runner:
                 yield runner
             return
         # workers of a cluster see the folder of the output, and nothing else for sure
         place = target.parent if options.scheduler else None
         with (
             temporary_folder(place) as temporary,
-            JobRunner(temporary, workers, options.scheduler, feedback.is_cancelled) as runner,
+            JobRunner(temporary, workers, options.scheduler, feedback.is_cancelled, processes) as runner,
         ):
             yield runner
 

@@ -38,8 +38,9 @@ from .epoch_registration import register_epochs
 from .epoch_tracking import Tables, check_tables, track_tables
 from .epoch_units import find_and_fit, segment_epochs
 from .gap_table import gap_rows, look_into_tiles
+from .local_processes import LocalProcesses
 from .no_units import warn_of_empty
-from .run_options import RunOptions, job_runner
+from .run_options import RunOptions, job_runner, processes_of
 from .size_check import check_sizes
 from .unit_input import crs_of_layer, read_poses, read_units, unit_of
 from .unit_table import control_rows, epoch_row, feature_rows, fitted_feature_rows, provisional_ids, unit_rows
@@ -123,6 +124,14 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
     """
     check_targets([(output, "the result")], survey.files)
     check_output(output)
+    with processes_of(options) as processes:
+        if len(survey.epochs) > 1:
+            # several epochs are several jobs
+            processes.start()
+        return _run(survey, output, options, feedback, processes)
+
+
+def _run(survey: Survey, output: Path, options: RunOptions, feedback: Feedback, processes: LocalProcesses) -> dict[str, Any]:
     start = SHARES["read"]
     plans = plan_survey(survey, feedback.part(0, start))
     if len(plans) == 1:
@@ -138,7 +147,7 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
         check_sizes(survey, plans[0].tiles, feedback.part(start, start))
         registrations.update(register_epochs(survey, plans, feedback))
 
-    with job_runner(output, options, feedback) as runner:
+    with job_runner(output, options, feedback, processes) as runner:
         part = feedback.part(start, start + SHARES["fit"])
         fitted, calibration = find_and_fit(survey, plans, record, runner, part, beside=look_beside)
         warn_of_empty(survey, [epoch.plan for epoch in fitted if not len(epoch)], feedback)

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tetratrack.scripts.warm_up import keep_bytecode
 
 LISTENING = """
 import sys
@@ -34,3 +35,14 @@ def test_a_run_after_the_warm_up_compiles_nothing(tmp_path: Path, repository: Pa
     for arguments in (["warm-up"], ["run", str(survey), "-o", str(tmp_path / "result.gpkg"), "--workers", "1"]):
         done = subprocess.run([sys.executable, "-c", LISTENING, *arguments, "--quiet"], capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "0"
+
+
+def test_bytecode_is_kept_where_python_writes_none_by_itself(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    for folder in ("core", "scripts"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "module.py").write_text("X = 1\n", encoding="utf-8")
+    # where no folder can be made a run goes on without
+    (tmp_path / "scripts" / "__pycache__").write_text("", encoding="utf-8")
+    keep_bytecode(tmp_path)
+    assert [path.name for path in (tmp_path / "core" / "__pycache__").iterdir()] == [f"module.{sys.implementation.cache_tag}.pyc"]

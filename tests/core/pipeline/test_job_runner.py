@@ -24,6 +24,7 @@ from tetratrack.core.pipeline.block_jobs import LEG_COLUMNS, FitJob, adjusted_ne
 from tetratrack.core.pipeline.blocks import plan_blocks
 from tetratrack.core.pipeline.epoch_units import owners
 from tetratrack.core.pipeline.job_runner import JobRunner, job_key
+from tetratrack.core.pipeline.local_processes import LocalProcesses
 
 
 def _tile(name: str, low: tuple[float, float], high: tuple[float, float], points: int = 1000) -> TileInfo:
@@ -122,6 +123,38 @@ def test_processes_serve_all_calls_and_end_with_the_runner(tmp_path: Path) -> No
         runner.run([Square(3), Square(4), Square(5)])
         assert {child.pid for child in multiprocessing.active_children()} == first
     assert not first & {child.pid for child in multiprocessing.active_children()}
+
+
+def test_processes_that_were_started_before_do_the_jobs(tmp_path: Path) -> None:
+    with LocalProcesses(2) as processes:
+        processes.start()
+        started = {child.pid for child in multiprocessing.active_children()}
+        with JobRunner(tmp_path, 2, processes=processes) as runner:
+            assert _squares(runner.run([Square(1), Square(2), Square(3)])) == [1, 4, 9]
+            assert {child.pid for child in multiprocessing.active_children()} == started
+    assert not started & {child.pid for child in multiprocessing.active_children()}
+
+
+def test_processes_that_were_started_end_with_an_error(tmp_path: Path) -> None:
+    started: list[int | None] = []
+
+    def start_and_fail() -> None:
+        with LocalProcesses(2) as processes:
+            processes.start()
+            started.extend(child.pid for child in multiprocessing.active_children())
+            raise InputError("is wrong", source=tmp_path)
+
+    with pytest.raises(InputError, match="is wrong"):
+        start_and_fail()
+    assert len(started) >= 2
+    assert not set(started) & {child.pid for child in multiprocessing.active_children()}
+
+
+def test_one_process_is_none_to_start() -> None:
+    before = set(multiprocessing.active_children())
+    with LocalProcesses(1) as processes:
+        processes.start()
+        assert set(multiprocessing.active_children()) <= before
 
 
 @pytest.mark.parametrize("workers", [1, 2])
