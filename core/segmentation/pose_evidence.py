@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,6 +11,7 @@ from numba import prange
 from ..common.arrays import BoolArray, FloatArray
 from ..common.kernels import kernel
 from ..model.tetrapod import EDGE_RATIO, TIP_RATIO, across_legs
+from ..model.unit_types import UnitType
 from .cone_relation import FEW_POSES, ConeShape, OrientedPoints, crease_distance, normal_at, relate_point, surely_farther
 from .conic_ransac import LEAST_AGREEMENT
 from .scene import CELLS, CLOSE, COLUMNS, INSIDE, LEGS, MISFIT, REACHED, SUPPORT, Evidence, Scene
@@ -54,13 +56,19 @@ def evidence(poses: FloatArray, scene: Scene, active: BoolArray) -> Evidence:
     shape, elements = ConeShape.of(scene.unit), OrientedPoints(scene.points, scene.normals, scene.curved)
     # the nearest neighbours of an element this close to a crease lie on two legs
     blurred = max(seen * LEAST_RADIUS_RATIO * scene.unit.height, _blurred(scene))
-    limits = _Limits(scene.tolerance, seen, blurred, np.stack(across_legs(scene.unit)))
+    limits = _Limits(scene.tolerance, seen, blurred, _across(scene.unit))
     if len(poses) > FEW_POSES:
         return Evidence(np.asarray(_evidence_of_many(poses, elements, active, scene.grid, shape, limits)))
     table = np.zeros((len(poses), len(COLUMNS)))
     for pose, row in zip(poses, table, strict=True):
         _evidence_of_one(row, pose, elements, active, scene.grid, shape, limits)
     return Evidence(table)
+
+
+@lru_cache(maxsize=8)
+def _across(unit: UnitType) -> FloatArray:
+    """(2, 4, 3) directions by which azimuths about legs count."""
+    return np.stack(across_legs(unit))
 
 
 def _blurred(scene: Scene) -> float:

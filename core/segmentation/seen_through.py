@@ -84,6 +84,13 @@ class _Stands(NamedTuple):
     likelihoods: FloatArray
 
 
+class _Around(NamedTuple):
+    """(n, 3) points of a source about a unit, from its centre, and the same in the order of their distance from it."""
+
+    points: FloatArray
+    nearest: FloatArray
+
+
 class _Source:
     """Points of one strip or station, and the places it was found to have stood at."""
 
@@ -91,9 +98,10 @@ class _Source:
         self.points, self._tree = points, cKDTree(points)
         self._seen_from: list[tuple[FloatArray, FloatArray]] = []
 
-    def around(self, centre: FloatArray, reach: float) -> FloatArray:
-        """(n, 3) points within reach of a place, from there."""
-        return np.asarray(self.points[self._tree.query_ball_point(centre, reach)] - centre)
+    def around(self, centre: FloatArray, reach: float) -> _Around:
+        """Points within reach of a place, from there."""
+        own = self.points[self._tree.query_ball_point(centre, reach)] - centre
+        return _Around(own, _nearest_first(own))
 
     def keep(self, centre: FloatArray, stands: FloatArray) -> None:
         """Remember places, from a unit's centre, from which hardly a beam enters what stands around it."""
@@ -123,6 +131,7 @@ class SeenThrough:
         self._axes = np.einsum("kij,lj->kli", poses[:, 3:].reshape(-1, 3, 3), unit.leg_directions)
         self._centres = cKDTree(poses[:, :3])
         self._known: dict[tuple[int, int], _Stands] = {}
+        self._around: tuple[int, list[_Around]] = -1, []
 
     def through(self, number: int, leg: int, first: float) -> Passing:
         """Beams that pass through a unit's leg between ``first`` (metres along it) and its end."""
@@ -131,9 +140,11 @@ class SeenThrough:
         near = self._centres.query_ball_point(centre, reach)
         solids = self._poses[near, :3] - centre, self._axes[near], self._lasts[near]
         evidence, places = 0.0, [np.empty(0)]
-        for k, source in enumerate(self._sources):
-            own = source.around(centre, reach)
-            if len(own) < FEWEST_POINTS:
+        if self._around[0] != number:
+            # the legs of a unit are asked about one after the other
+            self._around = number, [source.around(centre, reach) for source in self._sources]
+        for k, (source, own) in enumerate(zip(self._sources, self._around[1], strict=True)):
+            if len(own.points) < FEWEST_POINTS:
                 continue
             if (number, k) not in self._known:
                 # where no beam passes from one place that the sensor may have stood at, the others need not be known
@@ -142,7 +153,7 @@ class SeenThrough:
                 self._known[number, k] = self._stands(own, solids, source, centre)
             stands = self._known[number, k]
             if len(stands.places):
-                count, along = _passing(own, stands.places, *end, *self._cone(), MOST_BEAMS)
+                count, along = _passing(own.points, stands.places, *end, *self._cone(), MOST_BEAMS)
                 whole = stands.likelihoods - BEAM_COST * count
                 evidence += float(logsumexp(stands.likelihoods) - logsumexp(whole))
                 likeliest = int(np.where(count > 0, whole, -np.inf).argmax())
@@ -155,29 +166,27 @@ class SeenThrough:
 
     def _none_passes(
         self,
-        points: FloatArray,
+        own: _Around,
         stands: FloatArray,
         solids: tuple[FloatArray, FloatArray, FloatArray],
         end: tuple[FloatArray, float, float],
     ) -> bool:
         """Whether the sensor stood as likely as anywhere at one of (m, 3) places from which no beam passes through the end of a leg."""
-        some = _spread(_nearest_first(points), ROUNDS[-1][0])
+        some = _spread(own.nearest, ROUNDS[-1][0])
         most = int(STRAYS * len(some))
         for first in range(0, len(stands), TRIED_AT_ONCE):
             tried = stands[first : first + TRIED_AT_ONCE]
-            tried = tried[_passing(points, tried, *end, *self._cone(), 1)[0] == 0]
+            tried = tried[_passing(own.points, tried, *end, *self._cone(), 1)[0] == 0]
             if (_entered(some, tried, *solids, self._unit.reach, *self._cone(), most) <= most).any():
                 return True
         return False
 
-    def _stands(
-        self, points: FloatArray, solids: tuple[FloatArray, FloatArray, FloatArray], source: _Source, centre: FloatArray
-    ) -> _Stands:
+    def _stands(self, own: _Around, solids: tuple[FloatArray, FloatArray, FloatArray], source: _Source, centre: FloatArray) -> _Stands:
         """Places from which the beams of points enter no solid, but for a few; the source remembers them."""
         height, reach = self._unit.height, self._unit.reach
         none = _Stands(np.empty((0, 3)), np.empty(0))
         tried = (_directions()[:, None, :] * (np.array(DISTANCES_HEIGHTS) * height)[:, None]).reshape(-1, 3)
-        nearest = _nearest_first(points)
+        nearest = own.nearest
         for count, part, share, step in ROUNDS:
             some = _spread(nearest[: max(int(part * len(nearest)), FEWEST_POINTS)], count)
             most = int(share * len(some))
@@ -189,7 +198,7 @@ class SeenThrough:
                 tried = _beside(tried, step)
         source.keep(centre, tried)
         # the sensor may stand between the places tried
-        tried, cost = _beside(tried, FINEST_DEG), BEAM_COST * len(points) / len(some)
+        tried, cost = _beside(tried, FINEST_DEG), BEAM_COST * len(nearest) / len(some)
         most = min(most, int(entered.min() + LEAST_LIKELY / cost))
         entered = _entered(some, tried, *solids, reach, *self._cone(), most)
         likelihoods = cost * (entered.min() - entered)

@@ -135,7 +135,9 @@ class SightLines:
             pose = self._poses[number]
             rotation = pose[3:].reshape(3, 3)
             patches, normals = _patches(self._unit)
-            around = self._thinned[self._tree.query_ball_point(pose[:3], AROUND_HEIGHTS * self._unit.height)] - pose[:3]
+            # in the order of the tree points that follow one another are neighbours
+            near = self._tree.query_ball_point(pose[:3], AROUND_HEIGHTS * self._unit.height, return_sorted=False)
+            around = self._thinned[near] - pose[:3]
             self._opened[number] = _open(
                 around, patches @ rotation.T, normals @ rotation.T, *_directions(), self._pixel, LEAST_FACING, MARGIN_PIXELS * self._pixel
             )
@@ -292,24 +294,29 @@ def _open(
     half = 0.5 * size * pixel
     result = np.zeros((len(patches), len(towards)), dtype=np.bool_)
     middles, radii = _groups(points)
+    by_axis = points.T.copy()
+    right, up, near = np.empty(GROUP), np.empty(GROUP), np.empty(GROUP)
     depth = np.empty((size, size))
     for d in range(len(towards)):
         depth[:] = -np.inf
         for k in range(len(middles)):
-            along = middles[k, 0] * towards[d, 0] + middles[k, 1] * towards[d, 1] + middles[k, 2] * towards[d, 2]
-            away = middles[k, 0] ** 2 + middles[k, 1] ** 2 + middles[k, 2] ** 2 - along * along
-            # no corner of the map is farther from its axis
-            if away > (1.4143 * half + radii[k]) ** 2:
+            u = middles[k, 0] * across[d, 0] + middles[k, 1] * across[d, 1] + middles[k, 2] * across[d, 2]
+            v = middles[k, 0] * upwards[d, 0] + middles[k, 1] * upwards[d, 1] + middles[k, 2] * upwards[d, 2]
+            if max(abs(u), abs(v)) > half + radii[k]:
                 continue
-            for i in range(k * GROUP, min((k + 1) * GROUP, len(points))):
-                u = points[i, 0] * across[d, 0] + points[i, 1] * across[d, 1] + points[i, 2] * across[d, 2] + half
-                v = points[i, 0] * upwards[d, 0] + points[i, 1] * upwards[d, 1] + points[i, 2] * upwards[d, 2] + half
-                if u < 0 or v < 0:
+            first, count = k * GROUP, min(GROUP, len(points) - k * GROUP)
+            # without branches, in vector registers
+            for i in range(count):
+                x, y, z = by_axis[0, first + i], by_axis[1, first + i], by_axis[2, first + i]
+                right[i] = x * across[d, 0] + y * across[d, 1] + z * across[d, 2] + half
+                up[i] = x * upwards[d, 0] + y * upwards[d, 1] + z * upwards[d, 2] + half
+                near[i] = x * towards[d, 0] + y * towards[d, 1] + z * towards[d, 2]
+            for i in range(count):
+                if right[i] < 0 or up[i] < 0:
                     continue
-                a, b = int(u / pixel), int(v / pixel)
+                a, b = int(right[i] / pixel), int(up[i] / pixel)
                 if a < size and b < size:
-                    z = points[i, 0] * towards[d, 0] + points[i, 1] * towards[d, 1] + points[i, 2] * towards[d, 2]
-                    depth[a, b] = max(depth[a, b], z)
+                    depth[a, b] = max(depth[a, b], near[i])
         for i in range(len(patches)):
             if normals[i, 0] * towards[d, 0] + normals[i, 1] * towards[d, 1] + normals[i, 2] * towards[d, 2] < facing:
                 continue
