@@ -150,6 +150,10 @@ def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, foun
 def accumulate(seen: Any, window: Any, expected: Any, equations: Any, cells: Any, places: Any) -> int:
     """Add one sighting to its unit's normal equations and to its cells; returns the number of points with weight.
 
+    Of a pose only the means of the cells speak: within a cell a casting is as uneven as it is from cell to cell, and how its points lie
+    there, of which a dense cloud has thousands, would tell a turn that the shape of the casting makes. Strips speak through what they
+    differ by within a cell, too.
+
     Parameters
     ----------
     seen
@@ -170,8 +174,9 @@ def accumulate(seen: Any, window: Any, expected: Any, equations: Any, cells: Any
     normal, rhs = equations
     patch_rows, patch_weight, patch_rhs, patch_square = cells
     body, n_pose, strip_local = places
-    index = np.zeros(10, dtype=np.int64)
-    value = np.zeros(10)
+    strips = (len(rhs) - n_pose - 1) // 3
+    count = len(patch_weight)
+    means, weights, distances = np.zeros((count, 7)), np.zeros((count, strips)), np.zeros((count, strips))
     used = 0
     for i in range(rows.shape[0]):
         if patch[i] < 0:
@@ -181,22 +186,34 @@ def accumulate(seen: Any, window: Any, expected: Any, equations: Any, cells: Any
             continue
         w = (1.0 - u * u) ** 2 / (sigma * sigma)
         used += 1
-        for m in range(6):
-            index[m] = 6 * body + m
-            value[m] = rows[i, m]
-        index[6] = n_pose
-        value[6] = rows[i, 6]
-        for m in range(3):
-            index[7 + m] = n_pose + 1 + 3 * strip_local[i] + m
-            value[7 + m] = rows[i, m]
         k = patch[i]
+        for m in range(7):
+            means[k, m] += w * rows[i, m]
+        weights[k, strip_local[i]] += w
+        distances[k, strip_local[i]] += w * residual[i]
         patch_weight[k] += w
         patch_rhs[k] -= w * residual[i]
         patch_square[k] += w * residual[i] * residual[i]
-        for a in range(10):
-            wa = w * value[a]
-            rhs[index[a]] -= wa * residual[i]
-            patch_rows[k, index[a]] += wa
-            for b in range(10):
-                normal[index[a], index[b]] += wa * value[b]
+    index = np.zeros(10, dtype=np.int64)
+    for m in range(6):
+        index[m] = 6 * body + m
+    index[6] = n_pose
+    value = np.zeros(10)
+    for k in range(count):
+        if patch_weight[k] == 0.0:
+            continue
+        for m in range(10):
+            # an offset moves all points of its strip as a shift of the unit does
+            value[m] = means[k, m if m < 7 else m - 7] / patch_weight[k]
+        for s in range(strips):
+            if weights[k, s] == 0.0:
+                continue
+            for m in range(3):
+                index[7 + m] = n_pose + 1 + 3 * s + m
+            for a in range(10):
+                wa = weights[k, s] * value[a]
+                rhs[index[a]] -= distances[k, s] * value[a]
+                patch_rows[k, index[a]] += wa
+                for b in range(10):
+                    normal[index[a], index[b]] += wa * value[b]
     return used

@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
 from tetratrack.core.common.kernels import threads_of_kernels
 from tetratrack.core.deformation import cast_surfaces, strip_offsets
@@ -14,6 +15,9 @@ from tetratrack.core.deformation.joint_records import JointAdjustment, UnitSight
 from tetratrack.core.deformation.streamed_median import StreamedMedian
 from tetratrack.core.deformation.strip_offsets import adjust_jointly
 from tetratrack.core.deformation.unit_clouds import UnitCloud
+from tetratrack.core.model.pose import Pose
+from tetratrack.core.model.tetrapod import relate
+from tetratrack.core.simulation.castings import Casting
 
 
 def two_epochs(seed: int, spread: float, count: int = 600, noise: float = 0.012) -> tuple[list[UnitSighting], list[np.ndarray]]:
@@ -72,6 +76,34 @@ def test_covariances_of_displacements_are_honest() -> None:
         vectors, covariances = displacements(joint)
         forms += [float(v @ np.linalg.solve(c, v)) / 3 for v, c in zip(vectors, covariances, strict=True)]
     assert 0.6 < np.mean(forms) < 1.5
+
+
+def castings(seed: int, count: int) -> tuple[list[Pose], JointAdjustment]:
+    """Sixteen castings seen from above once, from two strips and with little noise, and their joint adjustment."""
+    rng = np.random.default_rng(seed)
+    poses, sightings = grid_poses(rng), []
+    for unit, pose in enumerate(poses):
+        cloud = seen_from_above(pose, rng, count, 0.002)
+        body = pose.to_body(cloud.points)
+        relation = relate(body, UNIT)
+        lifted = body + Casting.drawn(UNIT.height, rng).deviation(body, UNIT)[:, None] * relation.normal
+        start = pose.perturbed(rng.normal(0, 0.003, 3), rng.normal(0, 0.003, 3))
+        held = UnitCloud.held(pose.to_frame(lifted), rng.integers(1, 3, len(lifted)))
+        sightings.append(UnitSighting(unit=unit, epoch=0, pose=start, cloud=held, discs=ALL_DISCS, shape=UNIT))
+    return poses, adjust_jointly(sightings)
+
+
+def test_the_density_of_a_cloud_does_not_make_a_casting_surer_than_its_shape_allows() -> None:
+    """Legs that lean make slopes within cells, of which a dense cloud has many points: they tell of the casting as well as of its pose."""
+    sds, forms = [], []
+    for count in (1000, 16000):
+        poses, joint = castings(3, count)
+        turns = [Rotation.from_matrix(found.rotation @ true.rotation.T).as_rotvec() for found, true in zip(joint.poses, poses, strict=True)]
+        spreads = [joint.covariances[unit][3:, 3:] for unit in range(len(poses))]
+        sds.append(np.median([np.sqrt(np.trace(c)) for c in spreads]))
+        forms.append(np.median([t @ np.linalg.solve(c, t) / 3 for t, c in zip(turns, spreads, strict=True)]))
+    assert sds[1] > 0.8 * sds[0]
+    assert max(forms) < 2.0
 
 
 def test_noise_is_estimated_by_epoch() -> None:
