@@ -116,7 +116,8 @@ def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, foun
         ux, uy, uz = ux / rho, uy / rho, uz / rho
         side = (rho - r + c * axial) * cosine
         end = axial - length
-        if end > -margin or (axial > tip and not discs[leg]):
+        # the nearer of both surfaces: a leg that is shorter than others has its whole end disc below the nominal one
+        if end > side or end > -margin or (axial > tip and not discs[leg]):
             if not discs[leg] or rho > end_radius - margin or end < side:
                 continue
             nx, ny, nz = ax, ay, az

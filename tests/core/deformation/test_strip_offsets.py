@@ -9,14 +9,17 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
+from tetratrack.core.adjustment.shape_effects import LEG_CELLS
 from tetratrack.core.common.kernels import threads_of_kernels
 from tetratrack.core.deformation import cast_surfaces, strip_offsets
 from tetratrack.core.deformation.joint_records import JointAdjustment, UnitSighting
 from tetratrack.core.deformation.streamed_median import StreamedMedian
+from tetratrack.core.deformation.strip_observations import Body, observations
 from tetratrack.core.deformation.strip_offsets import adjust_jointly
 from tetratrack.core.deformation.unit_clouds import UnitCloud
+from tetratrack.core.model.mould import AXIAL_CELLS, AZIMUTH_CELLS
 from tetratrack.core.model.pose import Pose
-from tetratrack.core.model.tetrapod import relate
+from tetratrack.core.model.tetrapod import END_DISC, TIP_RATIO, leg_frame, relate, sample_surface
 from tetratrack.core.simulation.castings import Casting
 
 
@@ -104,6 +107,21 @@ def test_the_density_of_a_cloud_does_not_make_a_casting_surer_than_its_shape_all
         forms.append(np.median([t @ np.linalg.solve(c, t) / 3 for t, c in zip(turns, spreads, strict=True)]))
     assert sds[1] > 0.8 * sds[0]
     assert max(forms) < 2.0
+
+
+def test_the_end_of_a_short_leg_is_seen_where_it_is() -> None:
+    """All of an end disc 20 mm below the nominal one is of the disc, not only the points that noise lifts up to it."""
+    body, _, part = sample_surface(UNIT, 60000, np.random.default_rng(4))
+    lean = body @ UNIT.leg_directions.T
+    inner = (part == END_DISC) & (np.linalg.norm(body, axis=1) ** 2 - lean.max(axis=1) ** 2 < (0.8 * UNIT.end_radius) ** 2)
+    short = body[inner] - 0.02 * UNIT.leg_directions[lean.argmax(axis=1)[inner]]
+    across = np.stack(leg_frame(UNIT))
+    unit = Body(np.zeros(3), np.eye(3), UNIT.leg_directions, across, ALL_DISCS, UNIT.radius, UNIT.gradient, UNIT.leg_length)
+    strips = np.zeros(len(short), dtype=np.int64)
+    seen = observations(short, strips, np.zeros((1, 3)), unit, margin=0.005, tip=TIP_RATIO * UNIT.leg_length)
+    assert inner.sum() > 1000
+    assert (seen.patches % LEG_CELLS >= AXIAL_CELLS * AZIMUTH_CELLS).all()
+    assert np.allclose(seen.residuals, -0.02, atol=1e-9)
 
 
 def test_noise_is_estimated_by_epoch() -> None:
