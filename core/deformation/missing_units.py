@@ -16,14 +16,17 @@ from ..model.pose import Pose
 from ..model.tetrapod import distance_to_surface
 from ..model.unit_types import UnitType
 from ..segmentation.leg_ends import LegEnds
+from ..segmentation.pose_score import SPARSE_RATIO
 from ..segmentation.surface_elements import surface_noise
+from ..segmentation.verification import MOST_OVERLAP, overlap
 from .fitted_unit import FittedUnit
-from .presence import look_up, settled_on
+from .presence import FEWEST_POINTS, look_up, settled_on
 from .questions import Answer, Ask
 from .tracked_epoch import TrackedEpoch
 from .unit_clouds import ReadCloud, UnitCloud
 
-MIN_RECOVERED_POINTS = 60
+FEWEST_SPARSE_POINTS = 25
+"""Points of a unit that is taken up, at least, where the cloud is sparse; elsewhere as many as a pose is adjusted from."""
 LOOK_UP_RATIO, LOOK_UP_NOISE = 0.025, 3.0
 """Distance of a point from where another epoch predicts a unit's surface, as a share of the height and in standard deviations of a point's
 noise, up to which it lies on it: whichever is more, as a window narrower than the noise keeps only the points that the prediction likes."""
@@ -76,6 +79,7 @@ class MissingUnits:
         tree, other_tree = cKDTree(points), cKDTree(other)
         owner_tree = cKDTree(np.array([u.pose.centre for u in self.owners]).reshape(-1, 3))
         noise = surface_noise(points, self.height, tree=tree) if len(points) else 0.0
+        fewest = _fewest_points(points, tree, self.height)
         states, poses, taken = [], [], []
         for known, move in zip(self.units, self.moves, strict=True):
             pose = known.pose.shifted(move)
@@ -87,9 +91,9 @@ class MissingUnits:
             if state == "there":
                 near = [self.owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * self.reach)]
                 free = _left_by(near, points, index)
-                pose = settled_on(points[free], pose, known.shape, tolerance)
+                pose = settled_on(points[free], pose, known.shape, tolerance, fewest)
                 own = free[np.abs(distance_to_surface(pose.to_body(points[free]), known.shape)) < tolerance]
-                if len(own) < MIN_RECOVERED_POINTS:
+                if len(own) < fewest or _enters(pose, known.shape, near):
                     state, own = "hidden", own[:0]
             states.append(state)
             poses.append(pose)
@@ -208,6 +212,20 @@ class _Places:
         if known is None:
             return np.tile(self._shifts[second] - self._shifts[first], (len(places), 1))
         return np.asarray(np.median(known[1][known[0].query(places, k=NEIGHBOURS)[1]], axis=1))
+
+
+def _fewest_points(points: FloatArray, tree: cKDTree, height: float) -> int:
+    """Points of a unit that is taken up among (n, 3) points: in sparse clouds their number, and not what is seen, is what limits."""
+    if len(points) < 2:
+        return FEWEST_POINTS
+    spacing = float(np.median(tree.query(points, k=2)[0][:, 1]))
+    return FEWEST_SPARSE_POINTS if spacing > SPARSE_RATIO * height else FEWEST_POINTS
+
+
+def _enters(pose: Pose, shape: UnitType, owners: Sequence[FittedUnit]) -> bool:
+    """Whether a unit in this pose would be partly where one of the epoch's units is: no two solids share a place."""
+    rows = [np.concatenate([p.centre, p.rotation.ravel()]) for p in (pose, *(owner.pose for owner in owners))]
+    return any(overlap(rows[0], row, shape, owner.shape) > MOST_OVERLAP for row, owner in zip(rows[1:], owners, strict=True))
 
 
 def _left_by(owners: Sequence[FittedUnit], points: FloatArray, index: IntArray) -> IntArray:

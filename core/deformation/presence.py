@@ -33,7 +33,7 @@ LOOKED_THROUGH = 0.05
 BANDS = (5.0, 4.0, 3.0, 2.0, 1.5, 1.5)
 """Distances from the surface, over the tolerance, from which points are taken while a unit is brought onto them."""
 FEWEST_POINTS = 60
-"""Points from which a pose is adjusted."""
+"""Points from which a pose is adjusted, where they lie dense."""
 FARTHEST_HEIGHTS, FARTHEST_TURN = 0.25, math.radians(15)
 """Way in unit heights and turn beyond which a pose was drawn onto something else."""
 
@@ -99,16 +99,16 @@ def look_up(own: FloatArray, pose: Pose, unit: UnitType, before: FloatArray, now
     return Presence("empty" if through else "hidden", support, on_surface)
 
 
-def settled_on(points: FloatArray, pose: Pose, unit: UnitType, tolerance: float) -> Pose:
+def settled_on(points: FloatArray, pose: Pose, unit: UnitType, tolerance: float, fewest: int = FEWEST_POINTS) -> Pose:
     """Pose of a unit that moved since it was seen, brought onto its (n, 3) points from where another epoch predicts it.
 
     The points that lie on the predicted surface by chance would hold it there. The predicted pose stays where the points do not lie
-    better on another one near it.
+    better on another one near it, nor where fewer than ``fewest`` do.
     """
     found = pose
     for band in BANDS:
         near = np.abs(distance_to_surface(found.to_body(points), unit)) < band * tolerance
-        if np.count_nonzero(near) < FEWEST_POINTS:
+        if np.count_nonzero(near) < fewest:
             return pose
         try:
             found = adjust(points[near], unit, found, options=AdjustmentOptions(radius_sd=0.0, gradient_sd=0.0)).pose

@@ -144,7 +144,7 @@ def track(
     frames = _frames(known, epochs, frame)
     pairs = tuple(compare_epochs(known, epochs, a, b, frames) for a, b in combinations(range(len(epochs)), 2))
     calibrations = tuple(PoseCalibration.of_pairs([p.calibration for p in pairs if k in (p.first, p.second)]) for k in range(len(epochs)))
-    checks = _cross_checks(seen, joint, numbers, len(epochs))
+    checks = _cross_checks([_with_poses(own, tracked[k]) for k, own in enumerate(seen)], joint, numbers, len(epochs))
     velocities = _velocities(epochs, units, tracks, tracked, pairs, calibrations) if len(epochs) > 2 else {}
     if frames is not None:
         frames = replace(frames, errors=chained_errors(frames, _ties_of_neighbours(pairs)))
@@ -167,6 +167,11 @@ def _with_legs(seen: Mapping[int, FittedUnit]) -> dict[int, FittedUnit]:
     """A unit's sightings by epoch, each with what all of them say of its legs."""
     legs = legs_over_epochs({epoch: sighting.legs for epoch, sighting in seen.items()})
     return {epoch: replace(sighting, legs=legs[epoch]) for epoch, sighting in seen.items()}
+
+
+def _with_poses(seen: Mapping[int, FittedUnit], states: Mapping[int, TrackedUnit]) -> dict[int, FittedUnit]:
+    """A unit's sightings by epoch, without those whose points leave the pose open: they are no sightings then."""
+    return {epoch: own for epoch, own in seen.items() if epoch in states and states[epoch].pose is not None}
 
 
 def _ties_of_neighbours(pairs: Sequence[EpochPair]) -> list[FrameTie | None]:
