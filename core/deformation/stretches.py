@@ -5,7 +5,8 @@ A stretch's motion in datum ``control`` is the mean displacement of its units le
 holds the frames' common error, which does not become less with the number of units, and what stretches that did not move differ by
 beyond that: errors that neighbours share, of a station or strip, of growth or of a bend too small to be told. That variance is learned
 from the other stretches of the structure, as the variance between groups is in an analysis of random effects (DerSimonian and Laird,
-1986, Controlled Clinical Trials 7), by their median, so that a stretch that moved does not hide itself or another.
+1986, Controlled Clinical Trials 7), by their median, so that a stretch that moved does not hide itself or another. On a coast of 100 m
+one to four others show it, and the test's tails are as heavy as so few leave them.
 """
 
 from __future__ import annotations
@@ -20,8 +21,8 @@ from scipy.optimize import brentq
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.noncentrality import noncentrality
 from ..common.robust import CHI2_3_MEDIAN, t_weights
-from ..registration.bending import axis_of
 from ..registration.frame_field import FieldEstimate
+from ..registration.shift_samples import axis_of
 from .congruence import Congruence, f_p_value, pooled_degrees, quadratic
 from .displacement import POWER, SIGNIFICANCE, adjusted_p_values
 from .elastic_congruence import ElasticDatum
@@ -31,7 +32,9 @@ STRETCH_HEIGHTS = 10.0
 """Length of a stretch in heights of a unit."""
 FEWEST_UNITS = 5
 FEWEST_OTHERS = 4
-"""Other stretches, none of them overlapping, from which their variance is learned."""
+"""Other stretches, none of them overlapping, from which their variance is learned for datum ``control``: fewer may lie on what moved."""
+NO_OTHERS = 1.0
+"""Degrees of freedom of what is stated where no stretch is apart from the one in question and could show it."""
 MOST_ANEW = 500
 """Unknowns of a field up to which it is adjusted anew without each stretch: of a longer coast the stretch is taken out of what is known."""
 
@@ -97,16 +100,19 @@ def motions_of_stretches(
     stretches, _, length = stretches_of(units.places, height)
     numbers = [k for k, own in enumerate(stretches) if len(own) >= FEWEST_UNITS]
     means = {datum: [_mean_motion(units, stretches[k], congruence, elastic, datum, height) for k in numbers] for datum in DATUMS}
-    between = [_between_stretches(means["stable"], [abs(j - k) > 1 for j in numbers]) for k in numbers]
+    between = [_between_stretches([m for j, m in zip(numbers, means["stable"], strict=True) if abs(j - k) > 1]) for k in numbers]
+    learned = {"stable": between, "control": [b if b[1] >= FEWEST_OTHERS else (0.0, math.inf) for b in between]}
     found: dict[str, list[StretchMotion]] = {}
-    for datum, known in (("stable", math.inf), ("control", congruence.control_degrees)):
+    for datum in DATUMS:
         covariances, p_values = [], []
-        for k, mean, (variance, degrees) in zip(numbers, means[datum], between, strict=True):
+        for k, mean, (variance, degrees) in zip(numbers, means[datum], learned[datum], strict=True):
             own = mean.cofactor + variance * np.eye(3)
             own_degrees = min(degrees, len(stretches[k]) * congruence.null.tail)
             covariances.append(own + mean.frame)
             form = float(mean.motion @ np.linalg.solve(covariances[-1], mean.motion))
-            pooled = pooled_degrees(own[None], own_degrees, mean.frame[None], known)
+            # in datum stable it is the others that show how far off units and bend together are
+            of_frame = own_degrees if datum == "stable" else congruence.control_degrees
+            pooled = pooled_degrees(own[None], own_degrees, mean.frame[None], of_frame)
             p_values.append(float(f_p_value(np.array([form]), pooled)[0]))
         found[datum] = [
             StretchMotion(
@@ -144,13 +150,12 @@ def _mean_motion(
     return _MeanMotion(motion=motion, cofactor=cofactor, frame=frame)
 
 
-def _between_stretches(means: Sequence[_MeanMotion], others: Sequence[bool]) -> tuple[float, float]:
+def _between_stretches(others: Sequence[_MeanMotion]) -> tuple[float, float]:
     """Variance (square metres) by which resting stretches differ beyond what is stated, from the others, and its degrees of freedom."""
-    chosen = [mean for mean, other in zip(means, others, strict=True) if other]
-    if len(chosen) < FEWEST_OTHERS:
-        return 0.0, math.inf
-    motions = np.array([mean.motion for mean in chosen])
-    covariances = np.array([mean.cofactor + mean.frame for mean in chosen])
+    if not others:
+        return 0.0, NO_OTHERS
+    motions = np.array([mean.motion for mean in others])
+    covariances = np.array([mean.cofactor + mean.frame for mean in others])
 
     def misfit(variance: float) -> float:
         return float(np.median(quadratic(motions, covariances + variance * np.eye(3)))) - CHI2_3_MEDIAN
@@ -158,7 +163,7 @@ def _between_stretches(means: Sequence[_MeanMotion], others: Sequence[bool]) -> 
     largest = float(np.max(np.sum(motions**2, axis=1)))
     variance = float(brentq(misfit, 0.0, largest)) if misfit(0.0) > 0 else 0.0
     # stretches overlap by half, each has three components, and a median knows a variance about as well as two thirds of its values do
-    return variance, float(len(chosen))
+    return variance, float(len(others))
 
 
 def _frame_part(

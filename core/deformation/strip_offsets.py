@@ -32,7 +32,7 @@ from ..model.mould import Mould
 from ..model.pose import Pose
 from ..model.tetrapod import TIP_RATIO, leg_frame
 from ..model.unit_types import UnitType
-from ..registration.bending import axis_of
+from ..registration.shift_samples import axis_of
 from .cast_surfaces import CastSurfaces
 from .joint_records import JointAdjustment, UnitSighting
 from .streamed_median import StreamedMedian

@@ -11,7 +11,7 @@ from ..common.errors import InputError
 from ..data.point_tables import read_targets
 from ..data.survey import Epoch, Survey
 from ..data.tiles import TileInfo
-from ..registration.bending import axis_of
+from ..registration.shift_samples import axis_of
 from ..registration.surveyed_epochs import surveyed_control
 from ..registration.target_spacing import BentSurvey, stations_for
 from .survey_check import Finding

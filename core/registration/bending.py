@@ -16,17 +16,20 @@ from itertools import product
 import numpy as np
 from scipy.linalg import solve_triangular
 from scipy.optimize import minimize_scalar
-from scipy.spatial import cKDTree
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.robust import CHI2_1_MEDIAN, MAD_TO_SD, t_weights
 from .frame_field import FieldModel, matern
+from .moved_stretches import CERTAIN, DOUBTED, SEEN, clearest_jump, outside
+from .shift_samples import ShiftSample, axis_of, trend_of
 
 FEWEST_CELLS = 15
 MOST_CELLS = 180
 """Cells of one window of the likelihood; longer coasts are looked at in several, which cover them."""
 WINDOW_STEP = 0.5
 """Distance of windows as a share of their cells: what moved as one at the edge of one lies whole in the next."""
+MOST_LIKELY_WINDOWS = 2
+"""Windows that tell size and lengths of a bend, which are alike all along; what moved as one is looked for in all."""
 LARGEST_SHARE = 1.3
 """Largest standard deviation of a field over that of the shifts themselves."""
 ALIKE = 0.5
@@ -38,89 +41,14 @@ ELONGATED = 3.0
 """Length over width from which the ground is a strip, along which errors run."""
 LINE_OF_FLIGHT = 16.0
 """Correlation length across over along of errors that run along a line of flight and are the same all across it."""
-TREND_SHIFT, TREND_SLOPE = 1.0, 0.01
-"""Prior standard deviations of a shift (m) and slope that the rigid motion may leave."""
-JUMP_GAIN = 25.0
-"""Gain of log-likelihood by which a stretch is said to have moved as one; the best of all stretches of a smooth bend gains about ten."""
-DOUBTFUL, STEEP = 1.0, 4.0
-"""Square of a step over the variance of the bend's own change at its ends from which it may be one, by the bend that all cells show, and
-from which it is, by that of all others: a bend that has to follow a step changes faster than the others do."""
-LONGEST_JUMP, LONGEST_OF_WINDOW = 0.4, 0.5
-"""Longest such stretch over the length of the structure, and over that of the window which shows it: of more than that nobody could say
-which part moved."""
-MOST_JUMPS = 4
+MOST_TRIES = 6
+"""Stretches in doubt that are asked for at most."""
 SIDE_CELLS, SIDE_SHARE = 4, 0.5
 """Cells on one side of another, and the share of the correlation length within which they are looked for, that say whether it agrees."""
 AGREEING = 3.5
 """Distance from those in standard deviations up to which it does."""
 CLEAR_OUTLIER = 5.0
 """Misfit of a cell in standard deviations that no bend explains."""
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class ShiftSample:
-    """Shifts that are to be explained.
-
-    Attributes
-    ----------
-    places
-        (k, 2) metres.
-    values
-        (k, 3) metres.
-    variances
-        (k, 3) square metres, of independent errors.
-    fixed
-        (k,) observations that no one may leave out: targets.
-    """
-
-    places: FloatArray
-    values: FloatArray
-    variances: FloatArray
-    fixed: BoolArray
-
-    def joined(self, other: ShiftSample) -> ShiftSample:
-        """Both samples."""
-        return ShiftSample(
-            places=np.vstack([self.places, other.places]), values=np.vstack([self.values, other.values]),
-            variances=np.vstack([self.variances, other.variances]), fixed=np.concatenate([self.fixed, other.fixed]),
-        )  # fmt: skip
-
-
-def axis_of(places: FloatArray) -> tuple[tuple[float, float], float]:
-    """Main direction of (k, 2) places, and length over width of what they cover."""
-    centred = places - places.mean(axis=0)
-    _, vectors = np.linalg.eigh(centred.T @ centred)
-    along = vectors[:, 1] * np.sign(vectors[np.argmax(np.abs(vectors[:, 1])), 1])
-    extent = np.ptp(centred @ np.column_stack([along, [-along[1], along[0]]]), axis=0)
-    return (float(along[0]), float(along[1])), float(extent[0] / max(extent[1], 1e-9))
-
-
-def in_cells(places: FloatArray, values: FloatArray, variances: FloatArray, size: float) -> ShiftSample:
-    """Median shifts of the bodies in each cell of a grid of ``size`` metres, and their variances.
-
-    The stated (k, 3) ``variances`` are scaled to what neighbours differ by, since errors of their own are understated as a rule.
-    """
-    own = noise_between_neighbours(places, values, size)
-    scale = np.maximum(own / np.maximum(np.median(variances, axis=0), 1e-18), 1e-3)
-    key = np.floor((places - places.min(axis=0)) / size).astype(np.int64)
-    _, cell = np.unique(key[:, 0] * (key[:, 1].max() + 1) + key[:, 1], return_inverse=True)
-    order = np.argsort(cell, kind="stable")
-    groups = np.split(order, np.flatnonzero(np.diff(cell[order])) + 1)
-    middle = np.array([np.median(values[g], axis=0) for g in groups])
-    # a median of many is less certain than their mean by pi / 2 (Kendall and Stuart, 1977, The Advanced Theory of Statistics, 14.12)
-    spread = np.array([np.median(variances[g], axis=0) * scale * (1.0 if len(g) < 3 else math.pi / 2) / len(g) for g in groups])
-    centre = np.array([places[g].mean(axis=0) for g in groups])
-    return ShiftSample(places=centre, values=middle, variances=spread, fixed=np.zeros(len(groups), dtype=bool))
-
-
-def noise_between_neighbours(places: FloatArray, values: FloatArray, reach: float) -> FloatArray:
-    """(3,) variance of single bodies' shifts by component, from differences between neighbours within ``reach`` metres."""
-    pairs = cKDTree(places).query_pairs(reach, output_type="ndarray")
-    if len(pairs) < 8:
-        nearest = cKDTree(places).query(places, k=min(2, len(places)))[1].reshape(len(places), -1)[:, -1]
-        pairs = np.column_stack([np.arange(len(places)), nearest])
-    difference = values[pairs[:, 0]] - values[pairs[:, 1]]
-    return np.asarray(np.maximum(np.median(difference**2, axis=0) / CHI2_1_MEDIAN / 2, 1e-12))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -181,18 +109,27 @@ def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = G
         searched.append(window[kept | _beside_a_step(sample, window, first, ~kept)])
     model, gain = _likeliest(sample, windows, axis, lengths, ratios)
     jumps: list[tuple[float, float]] = []
-    while model is not None and gain > least_gain and len(jumps) < MOST_JUMPS:
-        jump = _clearest_jump(sample, searched, along, model, shortest)
-        if jump is None:
+    asked = SEEN
+    for _ in range(MOST_TRIES):
+        if model is None or gain <= least_gain:
             break
-        low, high, square = jump
-        inside = (along >= low) & (along <= high) & ~sample.fixed
-        without, others = ([window[~inside[window]] for window in part] for part in (windows, searched))
-        smooth, smooth_gain = _likeliest(sample, without, axis, lengths, ratios)
-        if smooth is not None and square < STEEP * _own_change(smooth, shortest):
+        doubt = clearest_jump(sample, searched, along, model, shortest, asked)
+        if doubt is None:
+            if jumps or asked is DOUBTED:
+                break
+            asked = DOUBTED
+            continue
+        smooth, _ = _likeliest(sample, outside(sample, windows, along, doubt), axis, lengths, ratios)
+        jump = clearest_jump(sample, searched, along, smooth or model, shortest, CERTAIN)
+        if jump is None or jump.high <= doubt.low or jump.low >= doubt.high:
+            # it is a bend, and the next in doubt is asked for
+            searched = outside(sample, searched, along, doubt)
+            continue
+        jumps.append((jump.low, jump.high))
+        windows, searched = (outside(sample, part, along, jump) for part in (windows, searched))
+        model, gain = _likeliest(sample, windows, axis, lengths, ratios)
+        if asked is DOUBTED:
             break
-        jumps.append((low, high))
-        windows, searched, model, gain = without, others, smooth, smooth_gain
     if model is None or gain <= least_gain:
         return replace(rigid, gain=gain)
     if elongation > ELONGATED:
@@ -212,6 +149,8 @@ def _likeliest(
     sample: ShiftSample, windows: Sequence[IntArray], axis: tuple[float, float], lengths: FloatArray, ratios: Sequence[float]
 ) -> tuple[FieldModel | None, float]:
     """Likeliest model of all lengths, ratios and smoothnesses, and its gain over a rigid motion."""
+    chosen = min(MOST_LIKELY_WINDOWS, len(windows))
+    windows = [windows[(2 * k + 1) * len(windows) // (2 * chosen)] for k in range(chosen)]
     noises = [_whiteners(sample, window) for window in windows]
     best, gain = None, 0.0
     for smoothness, ratio in product((2.5, 1.5), ratios):
@@ -235,56 +174,12 @@ def _alike(sds: tuple[float, float, float]) -> tuple[float, float, float]:
 def rigid_log_likelihood(sample: ShiftSample) -> float:
     """Log-likelihood of the shifts under a rigid motion alone, up to a constant that depends on their number."""
     total = 0.0
-    trend = _trend(sample.places)
+    trend = trend_of(sample.places)
     for axis in range(3):
         factor = np.linalg.cholesky(trend @ trend.T + np.diag(sample.variances[:, axis]))
         white = solve_triangular(factor, sample.values[:, axis], lower=True)
         total -= 0.5 * float(white @ white) + float(np.sum(np.log(np.diag(factor))))
     return total
-
-
-def _clearest_jump(
-    sample: ShiftSample, windows: Sequence[IntArray], along: FloatArray, model: FieldModel, step: float
-) -> tuple[float, float, float] | None:
-    """Stretch (from, to) whose common motion gains most likelihood under a bend, and its square; None where none gains enough."""
-    best, found = JUMP_GAIN, None
-    for number, window in enumerate(windows):
-        longest = min(LONGEST_JUMP * float(np.ptp(along)), LONGEST_OF_WINDOW * float(np.ptp(along[window])))
-        free = ~sample.fixed[window]
-        edges = np.arange(along[window].min(), along[window].max() + step, step / 2)
-        bins = np.clip(np.searchsorted(edges, along[window], side="right") - 1, 0, len(edges) - 2)
-        gains, sizes = (np.zeros((len(edges), len(edges))) for _ in range(2))
-        scaled, trend = model.scaled(sample.places[window]), _trend(sample.places[window])
-        correlation = model.correlation(scaled, scaled)
-        member = np.zeros((len(edges) - 1, len(window)))
-        member[bins[free], np.flatnonzero(free)] = 1
-        for axis in range(3):
-            covariance = model.sds[axis] ** 2 * correlation + trend @ trend.T + np.diag(sample.variances[window, axis])
-            inverse = np.linalg.inv(covariance)
-            table, line = np.zeros((len(edges), len(edges))), np.zeros(len(edges))
-            table[1:, 1:] = np.cumsum(np.cumsum(member @ inverse @ member.T, axis=0), axis=1)
-            line[1:] = np.cumsum(member @ (inverse @ sample.values[window, axis]))
-            diagonal = np.diag(table)
-            inside = diagonal[None, :] + diagonal[:, None] - table - table.T
-            gains += 0.5 * (line[None, :] - line[:, None]) ** 2 / np.maximum(inside, 1e-12)
-            sizes += ((line[None, :] - line[:, None]) / np.maximum(inside, 1e-12)) ** 2
-        width = edges[None, :] - edges[:, None]
-        # an end of a window within the structure is no end of a stretch: the next window sees what lies there whole
-        if number > 0:
-            gains[0] = 0
-        if number < len(windows) - 1:
-            gains[:, bins.max() + 1 :] = 0
-        # what a bend itself does over the distance in which an end is seen is no step
-        gains[(width < step) | (width > longest) | (sizes < DOUBTFUL * _own_change(model, step))] = 0
-        low, high = np.unravel_index(int(np.argmax(gains)), gains.shape)
-        if gains[low, high] > best:
-            best, found = float(gains[low, high]), (float(edges[low]), float(edges[high]), float(sizes[low, high]))
-    return found
-
-
-def _own_change(model: FieldModel, step: float) -> float:
-    """Mean square by which a bend changes over ``step`` metres along the structure, square metres."""
-    return float(np.sum(np.square(model.sds)) * 2 * (1 - matern(np.array(step / model.length), model.smoothness)))
 
 
 def _first_model(sample: ShiftSample, along: FloatArray, lengths: FloatArray, axis: tuple[float, float]) -> FieldModel:
@@ -329,7 +224,7 @@ def _kept(sample: ShiftSample, window: IntArray, model: FieldModel) -> BoolArray
     """Which cells a robust adjustment of the first model explains; fixed observations always."""
     places, fixed = sample.places[window], sample.fixed[window]
     weight, misfit = np.ones(len(window)), np.zeros(len(window))
-    scaled, trend = model.scaled(places), _trend(places)
+    scaled, trend = model.scaled(places), trend_of(places)
     correlation = model.correlation(scaled, scaled)
     for _ in range(12):
         misfit = np.zeros(len(window))
@@ -363,15 +258,9 @@ def _beside_a_step(sample: ShiftSample, window: IntArray, model: FieldModel, dou
     return found
 
 
-def _trend(places: FloatArray) -> FloatArray:
-    """(k, 3) columns of a shift and two slopes, scaled by their prior deviations."""
-    arm = places - places.mean(axis=0)
-    return np.column_stack([np.full(len(places), TREND_SHIFT), TREND_SLOPE * arm])
-
-
 def _whiteners(sample: ShiftSample, window: IntArray) -> list[tuple[FloatArray, FloatArray]]:
     """By component, inverse Cholesky factor of the covariance of noise and trend, and the values it whitens."""
-    trend = _trend(sample.places[window])
+    trend = trend_of(sample.places[window])
     found = []
     for axis in range(3):
         factor = np.linalg.cholesky(trend @ trend.T + np.diag(sample.variances[window, axis]))

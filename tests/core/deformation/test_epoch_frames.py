@@ -120,6 +120,25 @@ def test_a_slide_that_the_bend_of_all_cells_follows_is_told_by_that_of_the_other
     assert 0.7 < np.mean(squares(coast, result, control)) < 1.4
 
 
+@pytest.mark.parametrize(("seed", "low"), [(5101, 27.2), (5104, 37.7)])
+def test_a_slide_that_a_bend_of_all_cells_hides_is_told(seed: int, low: float) -> None:
+    """A bend that has to follow the slide is so rough that little of it is left as a step: the others are asked without it."""
+    coast = bent_coast(seed, length=100.0, density=1.8, slide=(low, low + 24.0), station=24.0)
+    frames = frames_of(coast)
+    assert frames is not None
+    sliding = np.all(coast.motions == [0.07, 0.0, -0.07], axis=1)
+    jumped = frames.jumped(0, 1, coast.places)
+    assert jumped[sliding].mean() > 0.8
+    assert jumped[~sliding].mean() < 0.1
+
+
+@pytest.mark.parametrize("seed", [5000, 5001])
+def test_a_body_that_moved_by_itself_is_no_stretch_of_a_long_coast(seed: int) -> None:
+    frames = frames_of(bent_coast(seed, length=830.0, density=1.8, station=70.0))
+    assert frames is not None
+    assert [bending.jumps for bending in frames.bendings if bending is not None] == [()]
+
+
 def test_a_disturbed_target_is_found_and_good_ones_stay_on_a_bent_coast() -> None:
     good = 0
     for seed in range(6):

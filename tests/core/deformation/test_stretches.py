@@ -10,6 +10,7 @@ from bent_coast import DIRECTION, bent_coast
 from tetratrack.core.deformation import stretches as stretches_module
 from tetratrack.core.deformation.congruence import Congruence, congruence_of
 from tetratrack.core.deformation.elastic_congruence import ElasticDatum, elastic_congruence_of
+from tetratrack.core.deformation.epoch_frames import PairShifts, TargetShifts, estimate_frames
 from tetratrack.core.deformation.stretches import JudgedUnits, StretchMotion, motions_of_stretches
 from tetratrack.core.registration.frame_field import FieldBasis, FieldEstimate, FieldModel
 
@@ -38,6 +39,26 @@ def test_errors_that_neighbours_share_are_no_motion() -> None:
 
 def test_units_with_errors_of_their_own_show_no_motion_of_stretches() -> None:
     assert not any(s.adjusted < 0.05 for seed in range(10) for s in stretches(seed, 0.0))
+
+
+@pytest.mark.parametrize("seed", [3003, 3004, 3008])
+def test_a_short_coast_known_to_a_millimetre_shows_no_motion(seed: int) -> None:
+    """Two or three other stretches show how far off a bend is that is known from one side, with tails as heavy as so few leave them."""
+    coast = bent_coast(seed, length=80.0, station=24.0, unit_sd=0.0008, target_sd=0.003)
+    names = tuple(map(str, range(len(coast.targets))))
+    variances = np.full(coast.targets.shape, coast.target_sd**2)
+    targets = [TargetShifts(ids=names, positions=coast.targets, residuals=own, variances=variances) for own in coast.residuals]
+    shifts = PairShifts(places=coast.places, vectors=coast.displacements, covariances=coast.covariances)
+    frames = estimate_frames([shifts], targets, coast.places, HEIGHT, "auto")
+    assert frames is not None
+    control, precision = frames.between(0, 1)
+    found, elastic = elastic_congruence_of(
+        coast.displacements, coast.covariances, coast.places, control, precision, HEIGHT, frames.degrees,
+        frames.jumped(0, 1, coast.places), frames.controlled(0, 1),
+    )  # fmt: skip
+    units = JudgedUnits(places=coast.places, vectors=coast.displacements, covariances=found.null.covariance(coast.covariances))
+    rows = motions_of_stretches(units, found, elastic, HEIGHT)
+    assert all(len(own) == 5 and not any(s.adjusted < 0.05 for s in own) for own in rows.values())
 
 
 def test_a_slide_stands_out_of_them() -> None:

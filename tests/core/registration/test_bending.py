@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from tetratrack.core.registration.bending import ShiftSample, estimate_bending, explained
+from tetratrack.core.registration.bending import estimate_bending, explained
+from tetratrack.core.registration.shift_samples import ShiftSample
 
 SPACING = 1.5
 """Of cells along the structure, metres."""

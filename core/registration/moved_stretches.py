@@ -1,0 +1,170 @@
+"""Stretches that moved as one against all around them, which no smooth bend does: slides and settlements.
+
+What one cell of the ground alone bears is a body that moved by itself. A bend that follows a step is itself steep, so that little is left
+of the step; so a stretch is in doubt by the bend that all cells show, and told by the bend that all others show.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..common.arrays import FloatArray, IntArray
+from .frame_field import FieldModel, matern
+from .shift_samples import ShiftSample, trend_of
+
+FEWEST_CELLS = 15
+"""Cells of a window among which a stretch is looked for."""
+LONGEST_JUMP, LONGEST_OF_WINDOW = 0.4, 0.5
+"""Longest such stretch over the length of the structure, and over that of the window which shows it: of more than that nobody could say
+which part moved."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Evidence:
+    """What a stretch must show.
+
+    Attributes
+    ----------
+    gain, of_others
+        Least gain of log-likelihood by its common motion, and the same without the cell that bears most of it.
+    steepness
+        Least square of its step over the variance of the bend's own change at its ends.
+    at_ends
+        Whether it may end with the structure, where a bend is held from one side alone.
+    """
+
+    gain: float
+    of_others: float
+    steepness: float
+    at_ends: bool
+
+
+SEEN = Evidence(gain=25.0, of_others=10.6, steepness=1.0, at_ends=True)
+"""By the bend that all cells show. The best of all stretches of a smooth bend gains about ten; one that one cell chose gains 10.6 by the
+others once in ten thousand (half of a chi-square of three)."""
+DOUBTED = Evidence(gain=10.6, of_others=10.6, steepness=0.0, at_ends=False)
+"""The same where nothing is seen: a bend that has to follow a step may leave little of it."""
+CERTAIN = Evidence(gain=50.0, of_others=25.0, steepness=4.0, at_ends=True)
+"""By the bend that all others show. That bend does not know the stretch and is off there by more than it says: stretches at rest gain up to
+53 on drawn coasts, slides of 10 cm 59 and more, nearly all over 130."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Jump:
+    """Stretch from ``low`` to ``high`` along the axis, metres, the gain of its common motion, the same without the ``cell`` (by its number)
+    that bears most of it, and the square of the motion."""
+
+    low: float
+    high: float
+    gain: float
+    square: float
+    gain_of_others: float
+    cell: int
+
+
+def outside(sample: ShiftSample, windows: Sequence[IntArray], along: FloatArray, jump: Jump) -> list[IntArray]:
+    """Windows without the cells of a stretch; targets stay."""
+    inside = (along >= jump.low) & (along <= jump.high) & ~sample.fixed
+    return [window[~inside[window]] for window in windows]
+
+
+def clearest_jump(
+    sample: ShiftSample, windows: Sequence[IntArray], along: FloatArray, model: FieldModel, step: float, least: Evidence
+) -> Jump | None:
+    """Stretch whose common motion gains most likelihood under a bend; None where none gains enough.
+
+    What one cell alone bears is a body that moved by itself: that cell is left out, and the window looked at anew.
+    """
+    best: Jump | None = None
+    for number, window in enumerate(windows):
+        ends = (number == 0, number == len(windows) - 1)
+        found = _clearest_in(sample, window, along, model, step, ends, least)
+        while found is not None and found.gain_of_others <= least.of_others:
+            window = window[window != found.cell]
+            found = _clearest_in(sample, window, along, model, step, ends, least)
+        if found is not None and (best is None or found.gain > best.gain):
+            best = found
+    return best
+
+
+def _clearest_in(
+    sample: ShiftSample, window: IntArray, along: FloatArray, model: FieldModel, step: float, ends: tuple[bool, bool], least: Evidence
+) -> Jump | None:
+    """The same of one window, whose first and last cells may be ``ends`` of the structure."""
+    if len(window) < FEWEST_CELLS:
+        return None
+    longest = min(LONGEST_JUMP * float(np.ptp(along)), LONGEST_OF_WINDOW * float(np.ptp(along[window])))
+    free = ~sample.fixed[window]
+    edges = np.arange(along[window].min(), along[window].max() + step, step / 2)
+    bins = np.clip(np.searchsorted(edges, along[window], side="right") - 1, 0, len(edges) - 2)
+    member = np.zeros((len(edges) - 1, len(window)))
+    member[bins[free], np.flatnonzero(free)] = 1
+    gains, sizes = (np.zeros((len(edges), len(edges))) for _ in range(2))
+    inverses = _inverses(sample, window, model)
+    solved = np.stack([inverse @ sample.values[window, axis] for axis, inverse in enumerate(inverses)])
+    for inverse, own in zip(inverses, solved, strict=True):
+        table, line = np.zeros((len(edges), len(edges))), np.zeros(len(edges))
+        table[1:, 1:] = np.cumsum(np.cumsum(member @ inverse @ member.T, axis=0), axis=1)
+        line[1:] = np.cumsum(member @ own)
+        diagonal = np.diag(table)
+        inside = diagonal[None, :] + diagonal[:, None] - table - table.T
+        gains += 0.5 * (line[None, :] - line[:, None]) ** 2 / np.maximum(inside, 1e-12)
+        sizes += ((line[None, :] - line[:, None]) / np.maximum(inside, 1e-12)) ** 2
+    width = edges[None, :] - edges[:, None]
+    # an end of a window within the structure is no end of a stretch: the next window sees what lies there whole
+    if not ends[0]:
+        gains[0] = 0
+    elif not least.at_ends:
+        gains[edges < edges[0] + step] = 0
+    if not ends[1]:
+        gains[:, bins.max() + 1 :] = 0
+    elif not least.at_ends:
+        gains[:, edges > along[window].max() - step] = 0
+    # what a bend itself does over the distance in which an end is seen is no step
+    gains[(width < step) | (width > longest) | (sizes < least.steepness * _own_change(model, step))] = 0
+    low, high = np.unravel_index(int(np.argmax(gains)), gains.shape)
+    if gains[low, high] <= least.gain:
+        return None
+    cells = np.flatnonzero(free & (bins >= low) & (bins < high))
+    others = _gains_of_others(inverses, solved, cells)
+    return Jump(
+        low=float(edges[low]), high=float(edges[high]), gain=float(gains[low, high]), square=float(sizes[low, high]),
+        gain_of_others=float(others.min()), cell=int(window[cells[np.argmin(others)]]),
+    )  # fmt: skip
+
+
+def _inverses(sample: ShiftSample, window: IntArray, model: FieldModel) -> list[FloatArray]:
+    """By component, inverse of the covariance of the shifts of a window under a bend."""
+    scaled, trend = model.scaled(sample.places[window]), trend_of(sample.places[window])
+    correlation = model.correlation(scaled, scaled)
+    noises = [np.diag(sample.variances[window, axis]) for axis in range(3)]
+    return [
+        np.asarray(np.linalg.inv(sd**2 * correlation + trend @ trend.T + own), dtype=np.float64)
+        for sd, own in zip(model.sds, noises, strict=True)
+    ]
+
+
+def _gains_of_others(inverses: Sequence[FloatArray], solved: FloatArray, cells: IntArray) -> FloatArray:
+    """Gain of the common motion of some cells of a window with each of them left out in turn.
+
+    Parameters
+    ----------
+    inverses, solved
+        By component, (k, k) inverse covariance of the shifts of the window, and (k,) its product with these.
+    cells
+        (m,) places of the cells in the window.
+    """
+    total = np.zeros(len(cells))
+    for inverse, own in zip(inverses, solved, strict=True):
+        reach, alone = inverse[np.ix_(cells, cells)].sum(axis=1), np.diag(inverse)[cells]
+        line = own[cells].sum() - reach * own[cells] / alone
+        total += 0.5 * line**2 / np.maximum(reach.sum() - reach**2 / alone, 1e-9 * reach.sum())
+    return total
+
+
+def _own_change(model: FieldModel, step: float) -> float:
+    """Mean square by which a bend changes over ``step`` metres along the structure, square metres."""
+    return float(np.sum(np.square(model.sds)) * 2 * (1 - matern(np.array(step / model.length), model.smoothness)))
