@@ -12,6 +12,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray, IntArray
+from ..common.neighbourhood import point_tree
 from ..model.pose import Pose
 from ..model.tetrapod import distance_to_surface
 from ..model.unit_types import UnitType
@@ -76,7 +77,7 @@ class MissingUnits:
         from one of ``offsets`` to the next."""
         points, sources = self.now()
         other, _ = self.before()
-        tree, other_tree = cKDTree(points), cKDTree(other)
+        tree, other_tree = point_tree(points), point_tree(other)
         owner_tree = cKDTree(np.array([u.pose.centre for u in self.owners]).reshape(-1, 3))
         noise = surface_noise(points, self.height, tree=tree) if len(points) else 0.0
         fewest = _fewest_points(points, tree, self.height)

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from ..common.arrays import BoolArray, FloatArray
+from ..common.neighbourhood import point_tree
 from ..model.unit_types import UnitType
 from .leg_ends import LegEnds, LegView, leg_ends
 from .seen_through import SeenThrough
@@ -42,10 +42,10 @@ def ends_of_units(
         would call any surface that crosses it a face of fracture, so that nothing is said of it.
     """
     found = [LegEnds.unseen() for _ in poses]
-    tree = cKDTree(points)
+    tree = point_tree(points)
     for kind in np.unique(kinds):
         unit, of_kind = units[int(kind)], kinds == kind
-        noise = surface_noise(points, unit.height) if len(points) >= FEWEST_POINTS else 0.0
+        noise = surface_noise(points, unit.height, tree=tree) if len(points) >= FEWEST_POINTS else 0.0
         lines = SightLines(points, tree, poses[of_kind], unit, noise)
         own = np.flatnonzero(of_kind & certain)
         around = [points[tree.query_ball_point(poses[row, :3], REACHES * unit.reach)] for row in own]

@@ -21,7 +21,7 @@ from scipy.spatial.transform import Rotation
 
 from ..common.arrays import FloatArray, IntArray
 from ..common.kernels import kernel
-from ..common.neighbourhood import build_grid
+from ..common.neighbourhood import build_grid, point_tree
 from ..common.voxels import thin
 from ..model.tetrapod import distance_to_surface, surface_area
 from ..model.unit_types import UnitType
@@ -248,7 +248,7 @@ def _places(elements: FloatArray, armour: Armour) -> FloatArray:
     height = armour.height
     smallest = min(armour.units, key=lambda unit: unit.height)
     reach = smallest.reach
-    tree = cKDTree(elements)
+    tree = point_tree(elements)
     # coarse cells first: most of the box around a pile is air
     step = STEP_HEIGHTS * height
     coarse = _lattice(elements.min(axis=0) - reach, elements.max(axis=0) + reach, COARSE * step)
@@ -274,7 +274,7 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
     voxel = (VOXEL_HEIGHTS * armour.height) ** 2
     wanted = needed_area(unit) / voxel
     reach = unit.reach + EXPLAINED_HEIGHTS * unit.height
-    tree = cKDTree(elements)
+    tree = point_tree(elements)
     tolerance = EXPLAINED_HEIGHTS * unit.height
     grid = build_grid(elements, 0.25 * reach)
     normals = element_normals(elements, unit.height)

@@ -22,6 +22,7 @@ from scipy.special import logsumexp
 
 from ..common.arrays import BoolArray, FloatArray
 from ..common.kernels import kernel
+from ..common.neighbourhood import build_grid
 from ..common.voxels import thin
 from ..model.unit_types import UnitType
 
@@ -32,6 +33,8 @@ ROUNDED = 0.95
 AROUND_HEIGHTS = 2.0
 """Distance from a unit's centre within which points are what lies behind it, and units stand in the way."""
 VOXEL_HEIGHTS = 0.03
+CELL_HEIGHTS = 0.5
+"""Edge of the cells in which a source's points are looked up."""
 DISTANCES_HEIGHTS = (2.5, 4.0, 7.0, 25.0)
 """Distances of a sensor from a unit that are tried: from a station on the wall beside it to a flight."""
 NEARER = 0.85
@@ -94,13 +97,13 @@ class _Around(NamedTuple):
 class _Source:
     """Points of one strip or station, and the places it was found to have stood at."""
 
-    def __init__(self, points: FloatArray) -> None:
-        self.points, self._tree = points, cKDTree(points)
+    def __init__(self, points: FloatArray, cell: float) -> None:
+        self.points, self._grid = points, build_grid(points, cell)
         self._seen_from: list[tuple[FloatArray, FloatArray]] = []
 
     def around(self, centre: FloatArray, reach: float) -> _Around:
         """Points within reach of a place, from there."""
-        own = self.points[self._tree.query_ball_point(centre, reach)] - centre
+        own = self.points[self._grid.within(self.points, centre, reach)] - centre
         return _Around(own, _nearest_first(own))
 
     def keep(self, centre: FloatArray, stands: FloatArray) -> None:
@@ -125,7 +128,8 @@ class SeenThrough:
         deviation of a point across the surface, metres.
         """
         self._unit, self._poses = unit, poses
-        self._sources = [_Source(thin(points[sources == source], VOXEL_HEIGHTS * unit.height)[0]) for source in np.unique(sources)]
+        voxel, cell = VOXEL_HEIGHTS * unit.height, CELL_HEIGHTS * unit.height
+        self._sources = [_Source(thin(points[sources == source], voxel)[0], cell) for source in np.unique(sources)]
         self._margin = max(MARGIN_HEIGHTS * unit.height, MARGIN_IN_NOISE * noise)
         self._lasts = np.where(whole, ROUNDED, STANDING) * unit.leg_length
         self._axes = np.einsum("kij,lj->kli", poses[:, 3:].reshape(-1, 3, 3), unit.leg_directions)
@@ -177,7 +181,7 @@ class SeenThrough:
         for first in range(0, len(stands), TRIED_AT_ONCE):
             tried = stands[first : first + TRIED_AT_ONCE]
             tried = tried[_passing(own.points, tried, *end, *self._cone(), 1)[0] == 0]
-            if (_entered(some, tried, *solids, self._unit.reach, *self._cone(), most) <= most).any():
+            if (_entered(some, tried, *solids, self._unit.reach, *self._cone(), most, True) <= most).any():
                 return True
         return False
 
@@ -190,7 +194,7 @@ class SeenThrough:
         for count, part, share, step in ROUNDS:
             some = _spread(nearest[: max(int(part * len(nearest)), FEWEST_POINTS)], count)
             most = int(share * len(some))
-            entered = _entered(some, tried, *solids, reach, *self._cone(), most)
+            entered = _entered(some, tried, *solids, reach, *self._cone(), most, False)
             tried = tried[entered <= most]
             if len(tried) > MOST_PLACES or not len(tried):
                 return none
@@ -200,7 +204,7 @@ class SeenThrough:
         # the sensor may stand between the places tried
         tried, cost = _beside(tried, FINEST_DEG), BEAM_COST * len(nearest) / len(some)
         most = min(most, int(entered.min() + LEAST_LIKELY / cost))
-        entered = _entered(some, tried, *solids, reach, *self._cone(), most)
+        entered = _entered(some, tried, *solids, reach, *self._cone(), most, False)
         likelihoods = cost * (entered.min() - entered)
         likely = (entered <= most) & (likelihoods > -LEAST_LIKELY)
         return _Stands(tried[likely], likelihoods[likely])
@@ -304,10 +308,23 @@ def _passing(
 
 @kernel()
 def _entered(
-    points: Any, stands: Any, centres: Any, axes: Any, lasts: Any, reach: float, radius: float, gradient: float, chord: float, most: int
+    points: Any,
+    stands: Any,
+    centres: Any,
+    axes: Any,
+    lasts: Any,
+    reach: float,
+    radius: float,
+    gradient: float,
+    chord: float,
+    most: int,
+    one: bool,
 ) -> Any:
-    """(m,) how many beams of points towards a stand enter the legs of units about (k, 3) centres; one more than ``most`` where more do."""
-    result = np.zeros(len(stands), dtype=np.int64)
+    """(m,) how many beams of points towards a stand enter the legs of units about (k, 3) centres; one more than ``most`` where more do.
+
+    Where ``one`` stand is enough, those after the first from which no more than ``most`` enter are not asked, and count as others.
+    """
+    result = np.full(len(stands), most + 1)
     # beams that entered from the last place are asked first: most places are left after a few
     order = np.arange(len(points))
     for k in range(len(stands)):
@@ -336,4 +353,6 @@ def _entered(
                 if entered > most:
                     break
         result[k] = entered
+        if one and entered <= most:
+            break
     return result

@@ -21,6 +21,7 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.kernels import kernel
+from ..common.neighbourhood import build_grid, point_tree
 from ..common.voxels import thin
 from ..model.tetrapod import leg_frame, turn_around
 from ..model.unit_types import UnitType
@@ -40,6 +41,8 @@ PIXEL_SPACINGS = 2.0
 MARGIN_PIXELS = 2.0
 """Depth within which points of a pixel belong to the patch itself: a surface turned by 60 degrees changes by 1.7 pixels."""
 VOXEL_HEIGHTS = 0.03
+CELL_HEIGHTS = 0.2
+"""Edge of the cells in which the thinned cloud is looked up; points of one follow one another."""
 AROUND_HEIGHTS = 3.0
 """Distance from a unit's centre within which points hide it, or lie behind it."""
 POOLED_HEIGHTS = 2.0
@@ -99,10 +102,11 @@ class SightLines:
         """
         self._points, self._raw, self._poses, self._unit = points, tree, poses, unit
         self._thinned, _ = thin(points, VOXEL_HEIGHTS * unit.height)
-        self._tree = cKDTree(self._thinned)
+        self._grid = build_grid(self._thinned, CELL_HEIGHTS * unit.height)
         spacing = 0.0
         if len(self._thinned) > 1:
-            spacing = float(np.median(self._tree.query(self._thinned[:: max(1, len(self._thinned) // 2000)], k=2)[0][:, 1]))
+            some = self._thinned[:: max(1, len(self._thinned) // 2000)]
+            spacing = float(np.median(point_tree(self._thinned).query(some, k=2)[0][:, 1]))
         self._pixel = max(PIXEL_HEIGHTS * unit.height, PIXEL_SPACINGS * spacing)
         self._tolerance = max(ON_SURFACE_HEIGHTS * unit.height, ON_SURFACE_NOISE * noise)
         self._pools = _pools(poses[:, :3], unit.height)
@@ -135,9 +139,7 @@ class SightLines:
             pose = self._poses[number]
             rotation = pose[3:].reshape(3, 3)
             patches, normals = _patches(self._unit)
-            # in the order of the tree points that follow one another are neighbours
-            near = self._tree.query_ball_point(pose[:3], AROUND_HEIGHTS * self._unit.height, return_sorted=False)
-            around = self._thinned[near] - pose[:3]
+            around = self._thinned[self._grid.within(self._thinned, pose[:3], AROUND_HEIGHTS * self._unit.height)] - pose[:3]
             self._opened[number] = _open(
                 around, patches @ rotation.T, normals @ rotation.T, *_directions(), self._pixel, LEAST_FACING, MARGIN_PIXELS * self._pixel
             )

@@ -17,7 +17,7 @@ from scipy.spatial import cKDTree
 from ..common.arrays import FloatArray
 from ..common.kernels import kernel
 from ..common.least_axis import least_axis
-from ..common.neighbourhood import build_grid, gather
+from ..common.neighbourhood import build_grid, gather, point_tree
 from ..common.voxels import thin
 
 THINNING_RATIO = 0.03
@@ -82,10 +82,10 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     """
     thinned, _ = thin(points, THINNING_RATIO * height)
     rng = np.random.default_rng(0)
-    raw = cKDTree(points)
+    raw = point_tree(points)
     probe = points[np.sort(rng.choice(len(points), min(len(points), 4000), replace=False))]
     spacing = float(np.median(raw.query(probe, k=2, workers=workers)[0][:, 1])) if len(points) > 1 else 0.0
-    tree = cKDTree(thinned)
+    tree = point_tree(thinned)
     element_noise, _ = _noise_of(thinned, tree, height, workers)
     # wanted: normal error sigma / (R/2 sqrt(n)) of about 3 degrees, n = pi R^2 / area of an element
     some = thinned[np.sort(rng.choice(len(thinned), min(len(thinned), 4000), replace=False))]
@@ -131,14 +131,14 @@ def surface_noise(points: FloatArray, height: float, *, tree: cKDTree | None = N
     small. Such a cloud is thinned at random until the neighbourhoods reach beyond the noise.
     """
     rng = np.random.default_rng(2)
-    tree = tree if tree is not None else cKDTree(points)
+    tree = tree if tree is not None else point_tree(points)
     noise, radius = _noise_of(points, tree, height, workers)
     for _ in range(4):
         wanted = min(WIDE_IN_NOISE * noise, BEND_RADIUS_RATIO * height)
         if radius >= 0.9 * wanted:
             break
         points = points[rng.random(len(points)) < (radius / wanted) ** 2]
-        again, radius = _noise_of(points, cKDTree(points), height, workers)
+        again, radius = _noise_of(points, point_tree(points), height, workers)
         noise = max(noise, again)
     return noise
 

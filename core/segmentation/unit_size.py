@@ -15,6 +15,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray, IntArray
+from ..common.neighbourhood import point_tree
 from ..common.voxels import thin
 from ..model.unit_types import GRADIENT, LEG_LENGTH_RATIO, RADIUS_RATIO, UnitType
 from .assembly import poses_from_pairs
@@ -151,7 +152,7 @@ def point_spacing(points: FloatArray) -> float:
     """Median distance of a point to its nearest neighbour, metres."""
     rng = np.random.default_rng(0)
     probe = points[np.sort(rng.choice(len(points), min(len(points), 3000), replace=False))]
-    return float(np.median(cKDTree(points).query(probe, k=2)[0][:, 1]))
+    return float(np.median(point_tree(points).query(probe, k=2)[0][:, 1]))
 
 
 def estimate_sizes(
