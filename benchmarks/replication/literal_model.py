@@ -172,5 +172,5 @@ def _linearise(
     every, none = np.ones(4, dtype=np.bool_), np.zeros(4, dtype=np.bool_)
     solid = Solid(centre, np.eye(3), leg_directions(literal_axes(*angles)), shape, np.full(4, shape[2]), every, none)
     weighting = Weighting(scale=scale, correct=correct, tip=math.inf, fade=scale, edge=0.0, redescend=False, final=False)
-    linearise_points(np.ascontiguousarray(xyz.T), None, given, solid, weighting, equations, points, Work.empty())
+    linearise_points(np.ascontiguousarray(xyz.T), np.zeros((0, 3, 3)), given, solid, weighting, equations, points, Work.empty())
     return equations.normal[:8, :8], equations.rhs[:8], points.legs, points.residuals, points.biases

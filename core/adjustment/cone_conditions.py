@@ -45,7 +45,8 @@ def _linearise_points(points: Any, cov: Any, given: Any, solid: Any, weighting: 
     """See :func:`linearise_points`; the sums are left in ``work.sums``."""
     n = points.shape[1]
     r, c = solid.shape[0], solid.shape[1]
-    has_cov = cov is not None
+    # asked at run time: a loop of its own for points with covariances takes seconds more to compile
+    has_cov = cov.shape[0] == n
     has_given = given.shape[0] == n
     scale, final = weighting.scale, weighting.final
     empty_equations(equations, final)
@@ -97,11 +98,11 @@ def _linearise_points(points: Any, cov: Any, given: Any, solid: Any, weighting: 
 
 
 @lru_cache
-def _compiled(with_covariances: bool) -> Callable[..., None]:
+def _compiled() -> Callable[..., None]:
     """:func:`_linearise_points` for arrays in C order."""
     examples = (
         np.zeros((3, 0)),
-        np.zeros((0, 3, 3)) if with_covariances else None,
+        np.zeros((0, 3, 3)),
         np.zeros(0, dtype=np.int64),
         Solid.empty(),
         Weighting(scale=1.0, correct=0.0, tip=0.0, fade=0.0, edge=0.0, redescend=False, final=False),
@@ -114,7 +115,7 @@ def _compiled(with_covariances: bool) -> Callable[..., None]:
 
 def linearise_points(
     points: FloatArray,
-    cov: FloatArray | None,
+    cov: FloatArray,
     given: IntArray,
     solid: Solid,
     weighting: Weighting,
@@ -130,7 +131,7 @@ def linearise_points(
         (3, n) metres. All arrays, those in records too, must be in C order and aligned: that is not checked, since a look at their types
         takes as long as half a hundred points (:func:`.kernels.compiled_for`).
     cov
-        (n, 3, 3) their covariances, square metres, or None for equal noise.
+        (n, 3, 3) their covariances, square metres, or (0, 3, 3) for equal noise.
     given
         (n,) leg 0..3 of each point, -1 to leave it out; (0,) where legs are to be found.
     solid, weighting
@@ -140,5 +141,5 @@ def linearise_points(
     work
         Work arrays.
     """
-    _compiled(cov is not None)(points, cov, given, solid, weighting, equations, states, work)
+    _compiled()(points, cov, given, solid, weighting, equations, states, work)
     return Sums(*work.sums.tolist())

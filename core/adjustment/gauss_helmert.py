@@ -263,12 +263,13 @@ class Solver:
         correct = float(problem.options.sigma or scale) if problem.options.bias_correction else 0.0
         edge, tip, fade = problem.trimming(scale)
         weighting = Weighting(scale=scale, correct=correct, tip=tip, fade=fade, edge=edge, redescend=redescend, final=final)
-        cov = problem.cov if len(problem.cov) else None
         if self._described is not self.state:
             self._terms_of(self.state)
         else:
             np.add(problem.prior.leg_length, self.state.leg_errors, out=self._solid.leg_lengths)
-        sums = linearise_points(problem.columns, cov, problem.given, self._solid, weighting, self._equations, self.points, self._work)
+        sums = linearise_points(
+            problem.columns, problem.cov, problem.given, self._solid, weighting, self._equations, self.points, self._work
+        )
         return Linearisation(scale=scale, equations=self._equations, points=self.points, sums=sums)
 
     def step(self, now: Linearisation, *, hold_shape: bool = False) -> Step:
