@@ -5,7 +5,8 @@ Units of one home lie together: they are one question to the points around them,
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,10 +18,13 @@ from ..model.pose import Pose
 from ..model.tetrapod import distance_to_surface
 from ..model.unit_types import UnitType
 from ..segmentation.leg_ends import LegEnds
-from ..segmentation.pose_score import SPARSE_RATIO
+from ..segmentation.pose_score import SPARSE_RATIO, SURE_ALONE
+from ..segmentation.second_look import second_look
+from ..segmentation.segment import FOUND_SCORE, MOST_IN_NOISE
 from ..segmentation.surface_elements import surface_noise
 from ..segmentation.verification import MOST_OVERLAP, overlap
 from .fitted_unit import FittedUnit
+from .identity import CONFIRM_MOVE_HEIGHTS, CONFIRM_TURN, nearest_labels
 from .presence import FEWEST_POINTS, look_up, settled_on
 from .questions import Answer, Ask
 from .tracked_epoch import TrackedEpoch
@@ -35,6 +39,12 @@ LOOK_UP_REACHES = 1.35
 """Distance from a missing unit's centre, in reaches of a unit, in which its place is looked at."""
 NEIGHBOURS = 9
 """Units whose median motion says where a unit would be that one epoch does not show."""
+SAME_PLACE_HEIGHTS = 0.5
+"""Distance of two centres, in unit heights, within which no two solids fit."""
+LEAST_SCORE = 0.4
+"""Score of a pose of weak evidence from which it is looked for in another epoch."""
+DOUBTED = 0.05
+"""Joint score of two epochs below which what one of them states is weak evidence; from ``FOUND_SCORE`` on weak evidence is a unit."""
 SAME_POINT = 1e-4
 """Distance in metres below which a point of the cloud is the point of a unit."""
 
@@ -73,29 +83,34 @@ class MissingUnits:
     height: float
 
     def answer(self) -> Answer:
-        """By unit its ``state`` and where it is (``centre``, ``rotation``); ``points`` and ``sources`` of those that are there, each unit's
-        from one of ``offsets`` to the next."""
+        """By unit its ``state``, where it is (``centre``, ``rotation``) and its joint ``score``, not finite where that was not asked;
+        ``points`` and ``sources`` of those that are there, each unit's from one of ``offsets`` to the next."""
         points, sources = self.now()
         other, _ = self.before()
         tree, other_tree = point_tree(points), point_tree(other)
         owner_tree = cKDTree(np.array([u.pose.centre for u in self.owners]).reshape(-1, 3))
         noise = surface_noise(points, self.height, tree=tree) if len(points) else 0.0
-        fewest = _fewest_points(points, tree, self.height)
-        states, poses, taken = [], [], []
+        sparse = _is_sparse(self.owners, points, self.height)
+        fewest = FEWEST_SPARSE_POINTS if sparse else FEWEST_POINTS
+        states, poses, taken, scores = [], [], [], []
         for known, move in zip(self.units, self.moves, strict=True):
             pose = known.pose.shifted(move)
             index = np.sort(np.array(tree.query_ball_point(pose.centre, self.reach), dtype=np.int64))
             around = other[other_tree.query_ball_point(known.pose.centre, self.reach)] + move
             tolerance = max(LOOK_UP_RATIO * known.shape.height, LOOK_UP_NOISE * noise)
             state: str = look_up(known.cloud.read()[0] + move, pose, known.shape, around, points[index], tolerance).state
-            own = np.zeros(0, dtype=np.int64)
+            own, score = np.zeros(0, dtype=np.int64), math.nan
             if state == "there":
                 near = [self.owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * self.reach)]
                 free = _left_by(near, points, index)
                 pose = settled_on(points[free], pose, known.shape, tolerance, fewest)
                 own = free[np.abs(distance_to_surface(pose.to_body(points[free]), known.shape)) < tolerance]
-                if len(own) < fewest or _enters(pose, known.shape, near):
+                most = MOST_OVERLAP if known.certain else MOST_IN_NOISE
+                if len(own) < fewest or _enters(pose, known.shape, near, most):
                     state, own = "hidden", own[:0]
+                elif known.score < SURE_ALONE or not known.certain:
+                    score = _joint_score(known, pose, near, points[index], sparse)
+            scores.append(score)
             states.append(state)
             poses.append(pose)
             taken.append(own)
@@ -104,6 +119,7 @@ class MissingUnits:
             "state": np.array(states),
             "centre": np.array([pose.centre for pose in poses]),
             "rotation": np.array([pose.rotation for pose in poses]),
+            "score": np.array(scores),
             "points": points[every],
             "sources": sources[every],
             "offsets": np.cumsum([0, *map(len, taken)]),
@@ -117,8 +133,10 @@ def look_for_missing(
     shifts: FloatArray,
     surroundings: Surroundings | None,
     ask: Ask,
-) -> tuple[list[dict[int, str]], list[tuple[int, int, FittedUnit]]]:
+) -> tuple[list[dict[int, str]], list[tuple[int, int, FittedUnit]], dict[int, bool]]:
     """State of every unit in the epochs that do not show it, and units recovered where another epoch predicts them.
+
+    In poor clouds what one epoch alone shows with a score that leaves a doubt is held against what the other says of the place.
 
     Parameters
     ----------
@@ -141,18 +159,18 @@ def look_for_missing(
         By unit and epoch that does not show it: ``there``, ``empty`` or ``hidden``.
     recovered
         Unit, epoch, and the unit as that epoch shows it.
+    verdicts
+        By unit whose evidence another epoch has changed, whether it is certain now.
     """
     states: list[dict[int, str]] = [{} for _ in seen]
     wanted: dict[tuple[int, ...], list[int]] = {}
     for unit, sightings in enumerate(seen):
-        certain = [e for e, s in sightings.items() if s.certain]
-        for epoch in range(len(epochs)) if certain else ():
-            if epoch not in sightings:
-                reference = min(certain, key=lambda e: (abs(e - epoch), e))
-                wanted.setdefault((epoch, reference, *sightings[reference].cloud.home), []).append(unit)
+        for epoch, reference in _asked(sightings, len(epochs)):
+            wanted.setdefault((epoch, reference, *sightings[reference].cloud.home), []).append(unit)
+            if sightings[reference].certain:
                 states[unit][epoch] = "hidden"
     if surroundings is None:
-        return states, []
+        return states, [], {}
     order = sorted(wanted)
     height, reach = max(u.height for u in units), max(u.reach for u in units) * LOOK_UP_REACHES
     places = _Places(epochs, seen, shifts)
@@ -173,17 +191,70 @@ def look_for_missing(
                 height=height,
             )
         )
+    return _weighed(seen, states, ((key, wanted[key], answer) for key, answer in zip(order, ask(questions), strict=True)))
+
+
+def _weighed(
+    seen: Sequence[dict[int, FittedUnit]], states: list[dict[int, str]], answers: Iterable[tuple[tuple[int, ...], list[int], Answer]]
+) -> tuple[list[dict[int, str]], list[tuple[int, int, FittedUnit]], dict[int, bool]]:
+    """What :func:`look_for_missing` returns, from answers with their epochs (asked, and the one that shows the units) and units."""
     recovered: list[tuple[int, int, FittedUnit]] = []
-    for key, answer in zip(order, ask(questions), strict=True):
-        epoch, reference, *_ = key
-        for k, unit in enumerate(wanted[key]):
-            states[unit][epoch] = str(answer["state"][k])
-            if states[unit][epoch] == "there":
-                own = slice(*answer["offsets"][k : k + 2])
-                cloud = UnitCloud.held(answer["points"][own].copy(), answer["sources"][own].copy())
-                pose = Pose(answer["centre"][k], answer["rotation"][k])
-                recovered.append((unit, epoch, replace(seen[unit][reference], pose=pose, cloud=cloud, legs=LegEnds.unseen())))
-    return states, recovered
+    confirmed: list[tuple[int, int, int, FittedUnit]] = []
+    verdicts: dict[int, bool] = {}
+    for (epoch, reference, *_), units, answer in answers:
+        for k, unit in enumerate(units):
+            shown, score = seen[unit][reference], float(answer["score"][k])
+            there = str(answer["state"][k]) == "there"
+            if not shown.certain:
+                if there and score >= FOUND_SCORE:
+                    confirmed.append((unit, epoch, reference, _taken_up(shown, answer, k)))
+            elif score < DOUBTED:
+                if len(seen[unit]) == 1:
+                    verdicts[unit] = False
+            else:
+                states[unit][epoch] = str(answer["state"][k])
+                if there:
+                    recovered.append((unit, epoch, _taken_up(shown, answer, k)))
+    for unit, epoch, reference, sighting in sorted(confirmed, key=lambda item: (-item[3].score, item[:2])):
+        if _has_room(seen[unit][reference], reference, recovered) and _has_room(sighting, epoch, recovered):
+            verdicts[unit] = True
+            if epoch not in seen[unit]:
+                states[unit][epoch] = "there"
+                recovered.append((unit, epoch, sighting))
+    return states, recovered, verdicts
+
+
+def _taken_up(shown: FittedUnit, answer: Answer, k: int) -> FittedUnit:
+    """A unit as the k-th answer finds it where the epoch that shows it predicts it, with what both say of it."""
+    own = slice(*answer["offsets"][k : k + 2])
+    return replace(
+        shown,
+        pose=Pose(answer["centre"][k], answer["rotation"][k]),
+        cloud=UnitCloud.held(answer["points"][own].copy(), answer["sources"][own].copy()),
+        legs=LegEnds.unseen(),
+        score=float(answer["score"][k]) if math.isfinite(answer["score"][k]) else shown.score,
+        certain=True,
+    )
+
+
+def _has_room(unit: FittedUnit, epoch: int, recovered: Sequence[tuple[int, int, FittedUnit]]) -> bool:
+    """Whether none of the recovered units stands in the place of a unit in an epoch."""
+    places = [other.pose.centre for _, own, other in recovered if own == epoch]
+    return all(np.linalg.norm(unit.pose.centre - place) >= SAME_PLACE_HEIGHTS * unit.shape.height for place in places)
+
+
+def _asked(sightings: Mapping[int, FittedUnit], epochs: int) -> list[tuple[int, int]]:
+    """Epochs in which a unit is looked for, each with the one that shows it: the nearest of those that are certain of it.
+
+    Of weak evidence the strongest is looked for: where no other epoch shows it, or else in the epoch that shows it best besides.
+    """
+    shown = [e for e, s in sightings.items() if s.certain]
+    if shown:
+        return [(e, min(shown, key=lambda s: (abs(s - e), s))) for e in range(epochs) if e not in sightings]
+    best, *others = sorted(sightings, key=lambda e: (-sightings[e].score, e))
+    if sightings[best].score < LEAST_SCORE or sightings[best].covariance is None:
+        return []
+    return [(e, best) for e in (others[:1] or range(epochs)) if e != best]
 
 
 class _Places:
@@ -215,18 +286,42 @@ class _Places:
         return np.asarray(np.median(known[1][known[0].query(places, k=NEIGHBOURS)[1]], axis=1))
 
 
-def _fewest_points(points: FloatArray, tree: cKDTree, height: float) -> int:
-    """Points of a unit that is taken up among (n, 3) points: in sparse clouds their number, and not what is seen, is what limits."""
-    if len(points) < 2:
-        return FEWEST_POINTS
-    spacing = float(np.median(tree.query(points, k=2)[0][:, 1]))
-    return FEWEST_SPARSE_POINTS if spacing > SPARSE_RATIO * height else FEWEST_POINTS
+def _is_sparse(owners: Sequence[FittedUnit], points: FloatArray, height: float) -> bool:
+    """Whether the number of points limits what an epoch shows, by its unit that holds most, or by (n, 3) points where none is near.
+
+    What is half hidden is sparse in every cloud.
+    """
+    held = max((owner.cloud.read()[0] for owner in owners), key=len, default=points)
+    seen = held if len(held) > 1 else points
+    return len(seen) > 1 and float(np.median(cKDTree(seen).query(seen, k=2)[0][:, 1])) > SPARSE_RATIO * height
 
 
-def _enters(pose: Pose, shape: UnitType, owners: Sequence[FittedUnit]) -> bool:
-    """Whether a unit in this pose would be partly where one of the epoch's units is: no two solids share a place."""
-    rows = [np.concatenate([p.centre, p.rotation.ravel()]) for p in (pose, *(owner.pose for owner in owners))]
-    return any(overlap(rows[0], row, shape, owner.shape) > MOST_OVERLAP for row, owner in zip(rows[1:], owners, strict=True))
+def _joint_score(known: FittedUnit, pose: Pose, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool) -> float:
+    """Probability of a unit by the epoch that shows it and by another one's (n, 3) points around where ``pose`` predicts it.
+
+    Not finite where these cannot tell: in rich clouds what fits by chance does so in all epochs, and what moved is another question.
+    """
+    alike = [owner for owner in owners if owner.shape == known.shape]
+    others = np.array([_row(owner.pose) for owner in alike]).reshape(-1, 12)
+    look = second_look(around, _row(pose), others, np.array([owner.score >= SURE_ALONE for owner in alike], dtype=np.bool_), known.shape)
+    if look is None or not (look.smoothed or sparse):
+        return math.nan
+    there = Pose(look.pose[:3], look.pose[3:].reshape(3, 3))
+    near = np.linalg.norm(there.centre - pose.centre) < CONFIRM_MOVE_HEIGHTS * known.shape.height
+    same = bool(near) and nearest_labels(pose, there, known.shape)[1] < CONFIRM_TURN
+    first, second = (np.clip(value, 1e-9, 1 - 1e-9) for value in (known.score, look.score))
+    odds = float(first / (1 - first) * second / (1 - second))
+    joint = odds / (1 + odds)
+    return joint if same or joint < DOUBTED else math.nan
+
+
+def _row(pose: Pose) -> FloatArray:
+    return np.concatenate([pose.centre, pose.rotation.ravel()])
+
+
+def _enters(pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], most: float) -> bool:
+    """Whether more than a share of a unit in this pose would be where one of the epoch's units is: no two solids share a place."""
+    return any(overlap(_row(pose), _row(owner.pose), shape, owner.shape) > most for owner in owners)
 
 
 def _left_by(owners: Sequence[FittedUnit], points: FloatArray, index: IntArray) -> IntArray:

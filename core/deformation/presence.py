@@ -37,6 +37,10 @@ FEWEST_POINTS = 60
 FARTHEST_HEIGHTS, FARTHEST_TURN = 0.25, math.radians(15)
 """Way in unit heights and turn beyond which a pose was drawn onto something else."""
 
+CHANCE_SDS = 3.0
+"""By how many standard deviations of their number more points must lie on the surface of a settled pose than on that of the predicted one:
+six unknowns fitted to what noise and other surfaces put there always gather some."""
+
 
 @dataclass(frozen=True, eq=False)
 class Presence:
@@ -119,4 +123,4 @@ def settled_on(points: FloatArray, pose: Pose, unit: UnitType, tolerance: float,
     if way > FARTHEST_HEIGHTS or turn > FARTHEST_TURN:
         return pose
     before, after = (np.count_nonzero(np.abs(distance_to_surface(p.to_body(points), unit)) < 0.5 * tolerance) for p in (pose, found))
-    return found if after > before else pose
+    return found if after - before > CHANCE_SDS * math.sqrt(before) else pose

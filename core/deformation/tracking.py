@@ -31,16 +31,13 @@ from .fitted_unit import FittedUnit
 from .identity import FoundUnits, Track, identify
 from .joint_records import JointAdjustment, UnitSighting
 from .legs_over_epochs import legs_over_epochs
-from .missing_units import Surroundings, look_for_missing
+from .missing_units import SAME_PLACE_HEIGHTS, Surroundings, look_for_missing
 from .questions import Ask, answered_here
 from .relocation import join_relocated
 from .strip_offsets import adjust_jointly
 from .tracked_epoch import TrackedEpoch, TrackedUnit
 from .unit_clouds import by_home
 from .unit_states import SURE_SCORE, odd_sizes, states_of
-
-SAME_PLACE_HEIGHTS = 0.5
-"""Distance of two centres, in unit heights, within which no two solids fit."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -129,7 +126,9 @@ def track(
     identities = identify(found, units)
     tracks = list(identities.tracks)
     seen: list[dict[int, FittedUnit]] = [{e: epochs[e].units[row].relabelled(t.symmetries[e]) for e, row in t.rows.items()} for t in tracks]
-    states, recovered = look_for_missing(epochs, seen, units, identities.shifts, surroundings, ask)
+    states, recovered, verdicts = look_for_missing(epochs, seen, units, identities.shifts, surroundings, ask)
+    for unit, is_certain in verdicts.items():
+        seen[unit] = {epoch: replace(sighting, certain=is_certain) for epoch, sighting in seen[unit].items()}
     for unit, epoch, sighting in recovered:
         seen[unit][epoch] = sighting
     tracks, seen, states = _without_rivals(tracks, seen, states, recovered)
@@ -144,7 +143,7 @@ def track(
     frames = _frames(known, epochs, frame)
     pairs = tuple(compare_epochs(known, epochs, a, b, frames) for a, b in combinations(range(len(epochs)), 2))
     calibrations = tuple(PoseCalibration.of_pairs([p.calibration for p in pairs if k in (p.first, p.second)]) for k in range(len(epochs)))
-    checks = _cross_checks([_with_poses(own, tracked[k]) for k, own in enumerate(seen)], joint, numbers, len(epochs))
+    checks = _cross_checks([with_poses(own, tracked[k]) for k, own in enumerate(seen)], joint, numbers, len(epochs))
     velocities = _velocities(epochs, units, tracks, tracked, pairs, calibrations) if len(epochs) > 2 else {}
     if frames is not None:
         frames = replace(frames, errors=chained_errors(frames, _ties_of_neighbours(pairs)))
@@ -169,7 +168,7 @@ def _with_legs(seen: Mapping[int, FittedUnit]) -> dict[int, FittedUnit]:
     return {epoch: replace(sighting, legs=legs[epoch]) for epoch, sighting in seen.items()}
 
 
-def _with_poses(seen: Mapping[int, FittedUnit], states: Mapping[int, TrackedUnit]) -> dict[int, FittedUnit]:
+def with_poses(seen: Mapping[int, FittedUnit], states: Mapping[int, TrackedUnit]) -> dict[int, FittedUnit]:
     """A unit's sightings by epoch, without those whose points leave the pose open: they are no sightings then."""
     return {epoch: own for epoch, own in seen.items() if epoch in states and states[epoch].pose is not None}
 

@@ -194,19 +194,24 @@ def score_among(found: Evidence, centres: FloatArray, tolerance: float, typical:
     Units lie among units. In noisy clouds a fifth of one and a rock look alike, and the place tells them apart. A pose that is sure by its
     own elements keeps that score, and so does every pose of a sparse cloud; where it stands apart, the odds of that lower it.
     """
-    alone = score(found, tolerance, typical)
     model = typical.model
     if not len(found) or (model.among is None and model.apart_odds == 1.0):
-        return alone
-    sure = alone >= SURE_ALONE
-    company = among_feature(centres, sure, unit)
+        return score(found, tolerance, typical)
+    sure = score(found, tolerance, typical) >= SURE_ALONE
+    return score_in_company(found, among_feature(centres, sure, unit), tolerance, typical)
+
+
+def score_in_company(found: Evidence, company: FloatArray, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k,) as :func:`score_among`, from the (k,) :func:`among_feature` of the poses."""
+    alone = score(found, tolerance, typical)
+    model = typical.model
     apart = company < np.log1p(APART) - 1e-9
     own = np.where(apart, alone / (alone + model.apart_odds * (1 - alone)), alone)
     if model.among is None:
         return own
     features = np.column_stack([model.features(found, tolerance, typical), company])
     among = _probability(model.among, features, found, tolerance, typical)
-    return np.where(sure, np.maximum(own, among), among)
+    return np.where(alone >= SURE_ALONE, np.maximum(own, among), among)
 
 
 def score_with_residuals(scores: FloatArray, residuals: FloatArray, support: FloatArray) -> FloatArray:

@@ -171,10 +171,8 @@ def segment(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int =
 
 def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int = -1) -> JudgedPoses:
     """Every pose that :func:`segment` weighs, chance alignments included, with the evidence for it; arguments as there."""
-    thinned = surface_elements(points, unit.height, workers=workers)
-    noisy = 2.5 * thinned.element_noise > NOISY_RATIO * unit.height
-    elements = smoothed(points, thinned, unit.height) if noisy else thinned
-    scene = Scene.of(elements, unit, max(2.5 * elements.element_noise, 0.008 * unit.height))
+    thinned, elements, tolerance = elements_and_tolerance(points, unit, workers=workers)
+    scene = Scene.of(elements, unit, tolerance)
     scene, poses = _searched(scene, seed)
     poses, found, owner = _settled(elements, poses, scene, rounds=1)
     # chance alignments claim points of units: a last look without them
@@ -208,6 +206,14 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
         tolerance=scene.tolerance,
         typical=typical,
     )
+
+
+def elements_and_tolerance(points: FloatArray, unit: UnitType, *, workers: int = -1) -> tuple[SurfaceElements, SurfaceElements, float]:
+    """Thinned points, in noise what they become on the surface they share, and the distance within which these support a unit."""
+    thinned = surface_elements(points, unit.height, workers=workers)
+    noisy = 2.5 * thinned.element_noise > NOISY_RATIO * unit.height
+    elements = smoothed(points, thinned, unit.height) if noisy else thinned
+    return thinned, elements, max(2.5 * elements.element_noise, 0.008 * unit.height)
 
 
 def _searched(scene: Scene, seed: int) -> tuple[Scene, FloatArray]:

@@ -1,28 +1,37 @@
-"""Places of units that an epoch does not show: few points are enough in a sparse cloud, and no two solids share a place."""
+"""Places of units that an epoch does not show: few points are enough in a sparse cloud, no two solids share a place.
+
+In poor clouds what one epoch alone shows is held against what the other says."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import UTC, datetime
+from typing import cast
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT, seen_from_above
 from tetratrack.core.deformation.fitted_unit import FittedUnit
-from tetratrack.core.deformation.missing_units import MissingUnits
-from tetratrack.core.deformation.questions import Answer
+from tetratrack.core.deformation.missing_units import MissingUnits, look_for_missing
+from tetratrack.core.deformation.questions import Answer, Question
+from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
 from tetratrack.core.deformation.unit_clouds import UnitCloud
 from tetratrack.core.model.pose import Pose
+from tetratrack.core.model.tetrapod import relate
 
 POSE = Pose(np.array([0.0, 0.0, 0.0]), Rotation.from_euler("xyz", [0.3, 0.4, 0.5]).as_matrix())
 
 
-def fitted(pose: Pose, points: np.ndarray) -> FittedUnit:
+def fitted(pose: Pose, points: np.ndarray, score: float = 1.0, certain: bool = True) -> FittedUnit:
     cloud = UnitCloud.held(points, np.zeros(len(points), dtype=np.uint16))
-    return FittedUnit(pose=pose, shape=UNIT, kind=0, certain=True, discs=ALL_DISCS, cloud=cloud)
+    return FittedUnit(pose=pose, shape=UNIT, kind=0, certain=certain, discs=ALL_DISCS, cloud=cloud, score=score)
 
 
-def asked(now: np.ndarray, before: np.ndarray, owners: tuple[FittedUnit, ...] = ()) -> Answer:
+def asked(now: np.ndarray, before: np.ndarray, owners: tuple[FittedUnit, ...] = (), score: float = 1.0, certain: bool = True) -> Answer:
     """What becomes of a unit whose epoch holds ``before``, and nothing else, in one that holds ``now``."""
     return MissingUnits(
-        units=(fitted(POSE, before),),
+        units=(fitted(POSE, before, score, certain),),
         moves=np.zeros((1, 3)),
         owners=owners,
         now=lambda: (now, np.zeros(len(now), dtype=np.uint16)),
@@ -39,7 +48,6 @@ def test_few_points_are_enough_where_the_cloud_is_sparse() -> None:
     answer = asked(few, before)
     assert answer["state"].tolist() == ["there"]
     assert len(answer["points"]) >= 40
-    assert np.linalg.norm(answer["centre"][0] - [0.04, 0.0, -0.03]) < 0.02
     # the same number among many is a small part of the surface
     ground = np.column_stack([rng.uniform(-1.5, 1.5, (20000, 2)), rng.normal(-1.7, 0.01, 20000)])
     assert asked(np.vstack([few, ground]), before)["state"].tolist() == ["hidden"]
@@ -53,3 +61,66 @@ def test_a_unit_is_not_taken_up_inside_another_one() -> None:
     answer = asked(now, before, (beside, inside))
     assert answer["state"].tolist() == ["hidden"]
     assert not len(answer["points"])
+
+
+def noisy_pile(rng: np.random.Generator) -> tuple[np.ndarray, tuple[FittedUnit, ...]]:
+    """A unit in noise of 3 % of its height, and where its neighbours stand."""
+    places = [np.array([1.3 * np.cos(a), 1.3 * np.sin(a), -0.2]) * UNIT.height for a in (0.0, 2.0, 4.0)]
+    return seen_from_above(POSE, rng, 6000, 0.03 * UNIT.height).points, tuple(
+        fitted(Pose(p, POSE.rotation), np.zeros((0, 3))) for p in places
+    )
+
+
+def test_noisy_points_say_again_how_sure_a_unit_is() -> None:
+    rng = np.random.default_rng(4)
+    points, owners = noisy_pile(rng)
+    weak = asked(points, points, owners, score=0.6, certain=False)
+    assert weak["state"].tolist() == ["there"]
+    assert weak["score"][0] > 0.9
+    # what is beyond doubt is not asked, and rich clouds cannot tell
+    assert np.isnan(asked(points, points, owners, score=0.97)["score"][0])
+    rich = seen_from_above(POSE, rng, 6000, 0.01).points
+    assert np.isnan(asked(rich, rich, owners, score=0.6, certain=False)["score"][0])
+    # a bed of rock fits it where points were taken for it, and does not look like a unit
+    bed = np.column_stack([rng.uniform(-1.2, 1.2, (6000, 2)), rng.normal(0.55, 0.03 * UNIT.height, 6000)])
+    own = bed[np.abs(relate(POSE.to_body(bed), UNIT).distance) < 0.1]
+    rock = asked(bed, own, owners, score=0.7)
+    assert rock["state"].tolist() == ["there"]
+    assert rock["score"][0] < 0.05
+
+
+def seen_by(score: float, certain: bool, place: float) -> FittedUnit:
+    return replace(fitted(POSE.shifted([place, 0.0, 0.0]), np.zeros((0, 3))), score=score, certain=certain, covariance=np.eye(6))
+
+
+def test_what_another_epoch_says_changes_the_evidence() -> None:
+    """Doubted, confirmed, left as it was, and of two confirmed in one place the better one."""
+    epochs = [TrackedEpoch(label=str(k), time=datetime(2024, 1, 1 + k, tzinfo=UTC), units=(), registration=None) for k in range(2)]
+    sightings = [(0.7, True, 0.0), (0.7, True, 9.0), (0.6, False, 20.0), (0.5, False, 20.3), (0.6, False, 40.0), (0.3, False, 60.0)]
+    seen = [{0: seen_by(*sighting)} for sighting in sightings]
+    said = {0.0: 0.01, 9.0: np.nan, 20.0: 0.9, 20.3: 0.95, 40.0: 0.5}
+
+    def ask(questions: Sequence[Question]) -> list[Answer]:
+        units = [unit for question in questions for unit in cast(MissingUnits, question).units]
+        assert len(questions) == 1
+        return [
+            {
+                "state": np.array(["there"] * len(units)),
+                "centre": np.array([unit.pose.centre for unit in units]),
+                "rotation": np.array([unit.pose.rotation for unit in units]),
+                "score": np.array([said[round(float(unit.pose.centre[0]), 1)] for unit in units]),
+                "points": np.zeros((0, 3)),
+                "sources": np.zeros(0, dtype=np.uint16),
+                "offsets": np.zeros(len(units) + 1, dtype=np.int64),
+            }
+        ]
+
+    states, recovered, verdicts = look_for_missing(epochs, seen, [UNIT], np.zeros((2, 3)), lambda *_: seen_nothing, ask)
+    assert verdicts == {0: False, 3: True}
+    assert [(unit, epoch, sighting.score) for unit, epoch, sighting in recovered] == [(1, 1, 0.7), (3, 1, 0.95)]
+    assert all(sighting.certain for *_, sighting in recovered)
+    assert states == [{1: "hidden"}, {1: "there"}, {}, {1: "there"}, {}, {}]
+
+
+def seen_nothing() -> tuple[np.ndarray, np.ndarray]:
+    return np.zeros((0, 3)), np.zeros(0, dtype=np.uint16)

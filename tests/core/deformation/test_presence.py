@@ -47,5 +47,9 @@ def test_a_unit_that_moved_is_brought_onto_its_own_points(way: float) -> None:
     predicted = POSE.shifted(way * UNIT.height * np.array([0.8, 0.5, -0.33]))
     found = settled_on(points, predicted, UNIT, 0.025 * UNIT.height)
     assert np.linalg.norm(found.centre - POSE.centre) < 0.004
+    # nor do some more points that chance gathers on another pose, half as many as would tell
+    away = predicted.shifted([0.0, 0.0, -0.4])
+    some = np.vstack([seen_from_above(predicted, rng, 400, 0.01).points, seen_from_above(away, rng, 425, 0.01).points])
+    assert settled_on(some, predicted, UNIT, 0.025 * UNIT.height) is predicted
     # nothing to be brought onto
     assert settled_on(bed(rng, None), predicted, UNIT, 0.025 * UNIT.height) is predicted

@@ -18,7 +18,7 @@ from tetratrack.core.deformation.identity import Track
 from tetratrack.core.deformation.joint_records import JointAdjustment
 from tetratrack.core.deformation.missing_units import Around, Surroundings
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
-from tetratrack.core.deformation.tracking import Tracking, _with_poses, track
+from tetratrack.core.deformation.tracking import Tracking, track, with_poses
 from tetratrack.core.deformation.unit_clouds import HeldPoints, UnitCloud
 from tetratrack.core.deformation.unit_states import odd_sizes, states_of
 from tetratrack.core.model.pose import Pose
@@ -402,7 +402,7 @@ def test_a_pose_that_its_points_leave_open_is_none(open_epoch: int, detected: bo
     assert (found[open_epoch].status if open_epoch in found else None) == status
     assert status != "unseen" or found[open_epoch].pose is None
     # nor is there anything to check by direct registration
-    assert sorted(_with_poses({0: sure, 1: sure}, found)) == ([0, 1] if detected else [1 - open_epoch])
+    assert sorted(with_poses({0: sure, 1: sure}, found)) == ([0, 1] if detected else [1 - open_epoch])
 
 
 def seen_nothing() -> tuple[np.ndarray, np.ndarray]:

@@ -1,0 +1,77 @@
+"""How sure a pose that another epoch shows is that of a unit, by the points that this one holds there.
+
+In noise and in sparse clouds rock looks like a part of a unit now and then, in one epoch here and in another one there; what is a unit
+looks like one in all that see it. Each epoch's points are therefore worth asking by themselves.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..common.arrays import BoolArray, FloatArray
+from ..model.unit_types import UnitType
+from .aggregation import assign, contested
+from .pose_evidence import evidence
+from .pose_refinement import refine
+from .pose_score import AMONG_HEIGHTS, is_sparse, score_in_company, score_with_residuals, typical_unit
+from .raw_residuals import raw_residuals
+from .scene import Scene
+from .segment import CLEARANCE_IN_NOISE, elements_and_tolerance
+
+ROUNDS = 2
+"""Times that the pose is refined on the elements that are nobody else's."""
+FEWEST_POINTS = 50
+"""Around a pose, below which nothing is said."""
+
+
+@dataclass(frozen=True, eq=False)
+class SecondLook:
+    """What the points around a pose say of it.
+
+    Attributes
+    ----------
+    score
+        0 to 1, as of a pose that was found there.
+    pose
+        (12,) centre and rotation by rows, refined.
+    smoothed
+        Whether the points were so noisy that their elements were moved onto the surface they share; else they are sparse.
+    """
+
+    score: float
+    pose: FloatArray
+    smoothed: bool
+
+
+def second_look(points: FloatArray, pose: FloatArray, others: FloatArray, sure: BoolArray, unit: UnitType) -> SecondLook | None:
+    """Judge a (12,) pose by the (n, 3) points around it, reduced frame; None where these are rich: rock looks alike in all epochs then.
+
+    Parameters
+    ----------
+    others
+        (k, 12) poses of the units around, which have their points.
+    sure
+        (k,) whether these leave no doubt: units lie among such.
+    """
+    if len(points) < FEWEST_POINTS:
+        return None
+    thinned, elements, tolerance = elements_and_tolerance(points, unit, workers=1)
+    scene = Scene.of(elements, unit, tolerance)
+    if not (scene.smoothed or is_sparse(scene)):
+        return None
+    poses, own = np.vstack([others, pose]), len(others)
+    for _ in range(ROUNDS):
+        owner, _ = assign(scene.points, poses, unit, 2.5 * scene.tolerance)
+        free = (owner == own) | (owner < 0)
+        doubtful = contested(scene.points, owner, poses, unit, CLEARANCE_IN_NOISE * elements.element_noise)
+        poses[own] = refine(poses[own:], scene, free & ~doubtful, most=1500, sweeps=20)[0]
+    found = evidence(poses[own:], scene, free)
+    near = np.linalg.norm(others[:, :3] - poses[own, :3], axis=1) < AMONG_HEIGHTS * unit.height
+    company = np.log1p([np.count_nonzero(sure & near)])
+    score = score_in_company(found, company, tolerance, typical_unit(found, scene))
+    if scene.smoothed:
+        # of the units around a part is seen here: what is usual on them cannot be told
+        score = score_with_residuals(score, raw_residuals(points, poses, unit, thinned.noise)[own:], found.support)
+    return SecondLook(float(score[0]), poses[own], scene.smoothed)
