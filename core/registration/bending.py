@@ -120,7 +120,7 @@ def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = G
             asked = DOUBTED
             continue
         smooth, _ = _likeliest(sample, outside(sample, windows, along, doubt), axis, lengths, ratios)
-        jump = clearest_jump(sample, searched, along, smooth or model, shortest, CERTAIN)
+        jump = clearest_jump(sample, searched, along, smooth or model, shortest, CERTAIN.along(extent))
         if jump is None or jump.high <= doubt.low or jump.low >= doubt.high:
             # it is a bend, and the next in doubt is asked for
             searched = outside(sample, searched, along, doubt)

@@ -7,7 +7,7 @@ of the step; so a stretch is in doubt by the bend that all cells show, and told 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -41,6 +41,15 @@ class Evidence:
     steepness: float
     at_ends: bool
 
+    def along(self, extent: float) -> Evidence:
+        """What a structure of ``extent`` metres must show, where more stretches are looked at.
+
+        A bend that others predict is off by more than its stated variance, which few bends tell: by the tails of F with three and some six
+        degrees of freedom, which fall with the cube of the gain. So the gain grows with the cube root of the number of stretches.
+        """
+        grown = max(extent / USUAL_EXTENT, 1.0) ** (1 / 3)
+        return replace(self, gain=self.gain * grown, of_others=self.of_others * grown)
+
 
 SEEN = Evidence(gain=25.0, of_others=10.6, steepness=1.0, at_ends=True)
 """By the bend that all cells show. The best of all stretches of a smooth bend gains about ten; one that one cell chose gains 10.6 by the
@@ -49,7 +58,9 @@ DOUBTED = Evidence(gain=10.6, of_others=10.6, steepness=0.0, at_ends=False)
 """The same where nothing is seen: a bend that has to follow a step may leave little of it."""
 CERTAIN = Evidence(gain=50.0, of_others=25.0, steepness=4.0, at_ends=True)
 """By the bend that all others show. That bend does not know the stretch and is off there by more than it says: stretches at rest gain up to
-53 on drawn coasts, slides of 10 cm 59 and more, nearly all over 130."""
+53 on drawn coasts of 100 m, slides of 10 cm 59 and more, nearly all over 130."""
+USUAL_EXTENT = 100.0
+"""Metres of structure for which it stands."""
 
 
 @dataclass(frozen=True, kw_only=True)
