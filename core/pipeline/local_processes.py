@@ -45,16 +45,21 @@ class LocalProcesses:
             self.kill()
         self.close()
 
-    def start(self) -> None:
-        """Have them load what jobs need while the caller does other work; nothing where there is but one.
+    def start(self, jobs: int) -> None:
+        """Have as many of them as will have work load what that needs while the caller does other work; none where jobs run here.
+
+        Parameters
+        ----------
+        jobs
+            How many there will be at least.
 
         Raises
         ------
         TetratrackError
             The script that starts the run would be run again by each of them.
         """
-        if self.count > 1 and self._pool is None:
-            self.submitted([(_load_libraries,)] * self.count)
+        if min(self.count, jobs) > 1 and self._pool is None:
+            self.submitted([(_load_libraries,)] * min(self.count, jobs))
 
     def submitted(self, calls: Sequence[tuple[Any, ...]]) -> list[Future[None]]:
         """Have functions called there, each followed by its arguments; in any order.

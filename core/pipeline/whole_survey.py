@@ -125,9 +125,8 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
     check_targets([(output, "the result")], survey.files)
     check_output(output)
     with processes_of(options) as processes:
-        if len(survey.epochs) > 1:
-            # several epochs are several jobs
-            processes.start()
+        # every epoch is a job or more
+        processes.start(len(survey.epochs))
         return _run(survey, output, options, feedback, processes)
 
 

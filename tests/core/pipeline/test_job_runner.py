@@ -127,7 +127,7 @@ def test_processes_serve_all_calls_and_end_with_the_runner(tmp_path: Path) -> No
 
 def test_processes_that_were_started_before_do_the_jobs(tmp_path: Path) -> None:
     with LocalProcesses(2) as processes:
-        processes.start()
+        processes.start(2)
         started = {child.pid for child in multiprocessing.active_children()}
         with JobRunner(tmp_path, 2, processes=processes) as runner:
             assert _squares(runner.run([Square(1), Square(2), Square(3)])) == [1, 4, 9]
@@ -140,7 +140,7 @@ def test_processes_that_were_started_end_with_an_error(tmp_path: Path) -> None:
 
     def start_and_fail() -> None:
         with LocalProcesses(2) as processes:
-            processes.start()
+            processes.start(2)
             started.extend(child.pid for child in multiprocessing.active_children())
             raise InputError("is wrong", source=tmp_path)
 
@@ -150,11 +150,12 @@ def test_processes_that_were_started_end_with_an_error(tmp_path: Path) -> None:
     assert not set(started) & {child.pid for child in multiprocessing.active_children()}
 
 
-def test_one_process_is_none_to_start() -> None:
+def test_one_process_or_one_job_starts_none() -> None:
     before = set(multiprocessing.active_children())
-    with LocalProcesses(1) as processes:
-        processes.start()
-        assert set(multiprocessing.active_children()) <= before
+    for count, jobs in ((1, 2), (2, 1)):
+        with LocalProcesses(count) as processes:
+            processes.start(jobs)
+            assert set(multiprocessing.active_children()) <= before
 
 
 @pytest.mark.parametrize("workers", [1, 2])
