@@ -28,7 +28,7 @@ MOST_CELLS = 180
 """Cells of one window of the likelihood; longer coasts are looked at in several, which cover them."""
 WINDOW_STEP = 0.5
 """Distance of windows as a share of their cells: what moved as one at the edge of one lies whole in the next."""
-MOST_LIKELY_WINDOWS = 2
+MOST_LIKELY_WINDOWS = 4
 """Windows that tell size and lengths of a bend, which are alike all along; what moved as one is looked for in all."""
 LARGEST_SHARE = 1.3
 """Largest standard deviation of a field over that of the shifts themselves."""
