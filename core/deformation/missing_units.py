@@ -6,7 +6,7 @@ Units of one home lie together: they are one question to the points around them,
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,7 +19,7 @@ from ..model.tetrapod import distance_to_surface
 from ..model.unit_types import UnitType
 from ..segmentation.leg_ends import LegEnds
 from ..segmentation.pose_score import SPARSE_RATIO, SURE_ALONE
-from ..segmentation.second_look import second_look
+from ..segmentation.second_look import SecondLook, second_look
 from ..segmentation.segment import FOUND_SCORE, MOST_IN_NOISE
 from ..segmentation.surface_elements import surface_noise
 from ..segmentation.verification import MOST_OVERLAP, overlap
@@ -64,6 +64,8 @@ class MissingUnits:
         As the other epoch shows them.
     moves
         (k, 3) by which the cloud around each of them lies elsewhere in the epoch that misses it.
+    rivals
+        (k,) how that epoch shows them itself, far from there; None of those that it misses.
     owners
         Units of that epoch around them: their points are taken.
     now, before
@@ -76,6 +78,7 @@ class MissingUnits:
 
     units: tuple[FittedUnit, ...]
     moves: FloatArray
+    rivals: tuple[FittedUnit | None, ...]
     owners: tuple[FittedUnit, ...]
     now: Around
     before: Around
@@ -93,7 +96,7 @@ class MissingUnits:
         sparse = _is_sparse(self.owners, points, self.height)
         fewest = FEWEST_SPARSE_POINTS if sparse else FEWEST_POINTS
         states, poses, taken, scores = [], [], [], []
-        for known, move in zip(self.units, self.moves, strict=True):
+        for known, move, rival in zip(self.units, self.moves, self.rivals, strict=True):
             pose = known.pose.shifted(move)
             index = np.sort(np.array(tree.query_ball_point(pose.centre, self.reach), dtype=np.int64))
             around = other[other_tree.query_ball_point(known.pose.centre, self.reach)] + move
@@ -101,13 +104,16 @@ class MissingUnits:
             state: str = look_up(known.cloud.read()[0] + move, pose, known.shape, around, points[index], tolerance).state
             own, score = np.zeros(0, dtype=np.int64), math.nan
             if state == "there":
-                near = [self.owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * self.reach)]
+                owned = (self.owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * self.reach))
+                near = [owner for owner in owned if rival is None or not np.array_equal(owner.pose.centre, rival.pose.centre)]
                 free = _left_by(near, points, index)
                 pose = settled_on(points[free], pose, known.shape, tolerance, fewest)
                 own = free[np.abs(distance_to_surface(pose.to_body(points[free]), known.shape)) < tolerance]
                 most = MOST_OVERLAP if known.certain else MOST_IN_NOISE
                 if len(own) < fewest or _enters(pose, known.shape, near, most):
                     state, own = "hidden", own[:0]
+                elif rival is not None:
+                    score = _rest_score(known, pose, rival.pose, near, points[index], sparse)
                 elif known.score < SURE_ALONE or not known.certain:
                     score = _joint_score(known, pose, near, points[index], sparse)
             scores.append(score)
@@ -171,9 +177,63 @@ def look_for_missing(
                 states[unit][epoch] = "hidden"
     if surroundings is None:
         return states, [], {}
+    certain = [[unit for unit in epoch.units if unit.certain] for epoch in epochs]
+    return _weighed(seen, states, _answered(wanted, seen, units, _Places(certain, seen, shifts), surroundings, ask))
+
+
+def look_for_rest(
+    seen: Sequence[dict[int, FittedUnit]],
+    count: int,
+    units: Sequence[UnitType],
+    shifts: FloatArray,
+    surroundings: Surroundings | None,
+    ask: Ask,
+) -> list[tuple[int, int, FittedUnit]]:
+    """Units that two epochs show far apart, taken up at rest where a poor epoch's points speak for it as well.
+
+    In noise part of one unit and its neighbours looks like a unit between them, now and then, in one epoch. Asked once the units are there
+    that one epoch misses: with the points of these it would again.
+
+    Parameters
+    ----------
+    seen
+        By unit, its sightings by epoch, those included that were recovered.
+    count
+        Number of epochs.
+    units, shifts, surroundings, ask
+        As of :func:`look_for_missing`.
+
+    Returns
+    -------
+    recovered
+        Unit, epoch, and the unit as that epoch shows it.
+    """
+    if surroundings is None:
+        return []
+    wanted: dict[tuple[int, ...], list[int]] = {}
+    for unit, sightings in enumerate(seen):
+        for epoch, reference in _far_apart(sightings, shifts):
+            wanted.setdefault((epoch, reference, *sightings[reference].cloud.home), []).append(unit)
+    certain = [[own[epoch] for own in seen if epoch in own and own[epoch].certain] for epoch in range(count)]
+    return [
+        (unit, epoch, _taken_up(seen[unit][reference], answer, k))
+        for (epoch, reference, *_), asked, answer in _answered(wanted, seen, units, _Places(certain, seen, shifts), surroundings, ask)
+        for k, unit in enumerate(asked)
+        if answer["state"][k] == "there" and answer["score"][k] >= FOUND_SCORE
+    ]
+
+
+def _answered(
+    wanted: Mapping[tuple[int, ...], Sequence[int]],
+    seen: Sequence[Mapping[int, FittedUnit]],
+    units: Sequence[UnitType],
+    places: _Places,
+    surroundings: Surroundings,
+    ask: Ask,
+) -> Iterator[tuple[tuple[int, ...], Sequence[int], Answer]]:
+    """Answers about units by epoch asked, epoch that shows them, and their home there; with both."""
     order = sorted(wanted)
     height, reach = max(u.height for u in units), max(u.reach for u in units) * LOOK_UP_REACHES
-    places = _Places(epochs, seen, shifts)
     questions = []
     for key in order:
         epoch, reference, *_ = key
@@ -184,6 +244,7 @@ def look_for_missing(
             MissingUnits(
                 units=known,
                 moves=moves,
+                rivals=tuple(seen[unit].get(epoch) if seen[unit][reference].certain else None for unit in wanted[key]),
                 owners=places.owners(epoch, centres + moves, 2 * reach),
                 now=surroundings(epoch, centres + moves, reach),
                 before=surroundings(reference, centres, reach),
@@ -191,11 +252,11 @@ def look_for_missing(
                 height=height,
             )
         )
-    return _weighed(seen, states, ((key, wanted[key], answer) for key, answer in zip(order, ask(questions), strict=True)))
+    return ((key, wanted[key], answer) for key, answer in zip(order, ask(questions), strict=True))
 
 
 def _weighed(
-    seen: Sequence[dict[int, FittedUnit]], states: list[dict[int, str]], answers: Iterable[tuple[tuple[int, ...], list[int], Answer]]
+    seen: Sequence[dict[int, FittedUnit]], states: list[dict[int, str]], answers: Iterable[tuple[tuple[int, ...], Sequence[int], Answer]]
 ) -> tuple[list[dict[int, str]], list[tuple[int, int, FittedUnit]], dict[int, bool]]:
     """What :func:`look_for_missing` returns, from answers with their epochs (asked, and the one that shows the units) and units."""
     recovered: list[tuple[int, int, FittedUnit]] = []
@@ -257,13 +318,31 @@ def _asked(sightings: Mapping[int, FittedUnit], epochs: int) -> list[tuple[int, 
     return [(e, best) for e in (others[:1] or range(epochs)) if e != best]
 
 
+def _far_apart(sightings: Mapping[int, FittedUnit], shifts: FloatArray) -> list[tuple[int, int]]:
+    """Epochs that are certain of a unit far from where the surest one shows it, each with that one; ``shifts`` as of the clouds.
+
+    So far that a look at both places tells them apart.
+    """
+    shown = [e for e, s in sightings.items() if s.certain]
+    if not shown:
+        return []
+    best = max(shown, key=lambda e: (sightings[e].score, -e))
+    moved = {e: sightings[best].pose.shifted(shifts[e] - shifts[best]) for e in shown}
+    return [(e, best) for e in shown if e != best and not _is_near(moved[e], sightings[e].pose, sightings[e].shape, times=2)]
+
+
+def _is_near(pose: Pose, other: Pose, shape: UnitType, times: float = 1) -> bool:
+    """Whether two poses are one to weak evidence, or to so many times its limits."""
+    move, turn = np.linalg.norm(other.centre - pose.centre), nearest_labels(pose, other, shape)[1]
+    return bool(move < times * CONFIRM_MOVE_HEIGHTS * shape.height and turn < times * CONFIRM_TURN)
+
+
 class _Places:
     """Where units are that questions need, epoch by epoch."""
 
-    def __init__(self, epochs: Sequence[TrackedEpoch], seen: Sequence[Mapping[int, FittedUnit]], shifts: FloatArray) -> None:
-        self._seen, self._shifts = seen, shifts
-        self._certain = [[u for u in epoch.units if u.certain] for epoch in epochs]
-        self._trees = [cKDTree(np.array([u.pose.centre for u in own]).reshape(-1, 3)) for own in self._certain]
+    def __init__(self, certain: Sequence[list[FittedUnit]], seen: Sequence[Mapping[int, FittedUnit]], shifts: FloatArray) -> None:
+        self._certain, self._seen, self._shifts = certain, seen, shifts
+        self._trees = [cKDTree(np.array([u.pose.centre for u in own]).reshape(-1, 3)) for own in certain]
         self._both: dict[tuple[int, int], tuple[cKDTree, FloatArray] | None] = {}
 
     def owners(self, epoch: int, places: FloatArray, reach: float) -> tuple[FittedUnit, ...]:
@@ -301,18 +380,42 @@ def _joint_score(known: FittedUnit, pose: Pose, owners: Sequence[FittedUnit], ar
 
     Not finite where these cannot tell: in rich clouds what fits by chance does so in all epochs, and what moved is another question.
     """
-    alike = [owner for owner in owners if owner.shape == known.shape]
-    others = np.array([_row(owner.pose) for owner in alike]).reshape(-1, 12)
-    look = second_look(around, _row(pose), others, np.array([owner.score >= SURE_ALONE for owner in alike], dtype=np.bool_), known.shape)
-    if look is None or not (look.smoothed or sparse):
+    look = _look_at(pose, known.shape, owners, around, sparse)
+    if look is None:
         return math.nan
-    there = Pose(look.pose[:3], look.pose[3:].reshape(3, 3))
-    near = np.linalg.norm(there.centre - pose.centre) < CONFIRM_MOVE_HEIGHTS * known.shape.height
-    same = bool(near) and nearest_labels(pose, there, known.shape)[1] < CONFIRM_TURN
-    first, second = (np.clip(value, 1e-9, 1 - 1e-9) for value in (known.score, look.score))
-    odds = float(first / (1 - first) * second / (1 - second))
-    joint = odds / (1 + odds)
-    return joint if same or joint < DOUBTED else math.nan
+    joint = _both_say(known.score, look.score)
+    return joint if joint < DOUBTED or _stays(look, pose, known.shape) else math.nan
+
+
+def _rest_score(known: FittedUnit, pose: Pose, rival: Pose, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool) -> float:
+    """The same of a unit whose ``rival`` pose the (n, 3) points around were taken for; not finite where they speak for that one."""
+    here, there = (_look_at(either, known.shape, owners, around, sparse) for either in (pose, rival))
+    if here is None or there is None or not _stays(here, pose, known.shape):
+        return math.nan
+    # refined, the other one may have come here as well
+    if here.score < there.score and not _stays(there, pose, known.shape):
+        return math.nan
+    return _both_say(known.score, here.score)
+
+
+def _look_at(pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool) -> SecondLook | None:
+    """What an epoch's (n, 3) points say of a pose among its units; None in rich clouds."""
+    alike = [owner for owner in owners if owner.shape == shape]
+    others = np.array([_row(owner.pose) for owner in alike]).reshape(-1, 12)
+    look = second_look(around, _row(pose), others, np.array([owner.score >= SURE_ALONE for owner in alike], dtype=np.bool_), shape)
+    return look if look is not None and (look.smoothed or sparse) else None
+
+
+def _stays(look: SecondLook, pose: Pose, shape: UnitType) -> bool:
+    """Whether the points leave a unit where it is predicted, or have brought it there."""
+    return _is_near(pose, Pose(look.pose[:3], look.pose[3:].reshape(3, 3)), shape)
+
+
+def _both_say(first: float, second: float) -> float:
+    """Probability from the odds of two epochs."""
+    first, second = (float(np.clip(value, 1e-9, 1 - 1e-9)) for value in (first, second))
+    odds = first / (1 - first) * second / (1 - second)
+    return odds / (1 + odds)
 
 
 def _row(pose: Pose) -> FloatArray:

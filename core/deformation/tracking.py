@@ -31,7 +31,7 @@ from .fitted_unit import FittedUnit
 from .identity import FoundUnits, Track, identify
 from .joint_records import JointAdjustment, UnitSighting
 from .legs_over_epochs import legs_over_epochs
-from .missing_units import SAME_PLACE_HEIGHTS, Surroundings, look_for_missing
+from .missing_units import SAME_PLACE_HEIGHTS, Surroundings, look_for_missing, look_for_rest
 from .questions import Ask, answered_here
 from .relocation import join_relocated
 from .strip_offsets import adjust_jointly
@@ -131,6 +131,10 @@ def track(
         seen[unit] = {epoch: replace(sighting, certain=is_certain) for epoch, sighting in seen[unit].items()}
     for unit, epoch, sighting in recovered:
         seen[unit][epoch] = sighting
+    for unit, epoch, sighting in look_for_rest(seen, len(epochs), units, identities.shifts, surroundings, ask):
+        # the pose that was found elsewhere is given up
+        seen[unit][epoch], states[unit][epoch] = sighting, "there"
+        tracks[unit] = replace(tracks[unit], rows={e: row for e, row in tracks[unit].rows.items() if e != epoch})
     tracks, seen, states = _without_rivals(tracks, seen, states, recovered)
     tracks, seen, states = join_relocated(tracks, seen, states, identities.shifts)
     seen = [_with_legs(own) for own in seen]

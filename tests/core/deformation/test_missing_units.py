@@ -13,8 +13,8 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT, seen_from_above
 from tetratrack.core.deformation.fitted_unit import FittedUnit
-from tetratrack.core.deformation.missing_units import MissingUnits, look_for_missing
-from tetratrack.core.deformation.questions import Answer, Question
+from tetratrack.core.deformation.missing_units import MissingUnits, look_for_missing, look_for_rest
+from tetratrack.core.deformation.questions import Answer, Ask, Question
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
 from tetratrack.core.deformation.unit_clouds import UnitCloud
 from tetratrack.core.model.pose import Pose
@@ -28,11 +28,19 @@ def fitted(pose: Pose, points: np.ndarray, score: float = 1.0, certain: bool = T
     return FittedUnit(pose=pose, shape=UNIT, kind=0, certain=certain, discs=ALL_DISCS, cloud=cloud, score=score)
 
 
-def asked(now: np.ndarray, before: np.ndarray, owners: tuple[FittedUnit, ...] = (), score: float = 1.0, certain: bool = True) -> Answer:
+def asked(
+    now: np.ndarray,
+    before: np.ndarray,
+    owners: tuple[FittedUnit, ...] = (),
+    score: float = 1.0,
+    certain: bool = True,
+    rival: FittedUnit | None = None,
+) -> Answer:
     """What becomes of a unit whose epoch holds ``before``, and nothing else, in one that holds ``now``."""
     return MissingUnits(
         units=(fitted(POSE, before, score, certain),),
         moves=np.zeros((1, 3)),
+        rivals=(rival,),
         owners=owners,
         now=lambda: (now, np.zeros(len(now), dtype=np.uint16)),
         before=lambda: (before, np.zeros(len(before), dtype=np.uint16)),
@@ -89,6 +97,35 @@ def test_noisy_points_say_again_how_sure_a_unit_is() -> None:
     assert rock["score"][0] < 0.05
 
 
+def test_noisy_points_say_whether_a_unit_rests_that_was_found_elsewhere() -> None:
+    rng = np.random.default_rng(5)
+    points, owners = noisy_pile(rng)
+    turned = POSE.rotation @ Rotation.from_rotvec([0.0, 0.0, 0.3]).as_matrix()
+    elsewhere = Pose(POSE.centre + np.array([0.15, 0.1, -0.15]) * UNIT.height, turned)
+    rival = fitted(elsewhere, np.zeros((0, 3)))
+    rests = asked(points, points, (*owners, rival), score=0.97, rival=rival)
+    assert rests["state"].tolist() == ["there"]
+    assert rests["score"][0] > 0.9
+    moved = seen_from_above(elsewhere, rng, 6000, 0.03 * UNIT.height).points
+    assert np.isnan(asked(moved, points, (*owners, rival), score=0.97, rival=rival)["score"][0])
+    rich, other = (seen_from_above(pose, rng, 6000, 0.01).points for pose in (POSE, elsewhere))
+    assert np.isnan(asked(other, rich, (*owners, rival), rival=rival)["score"][0])
+
+
+def test_a_unit_found_far_apart_is_taken_up_where_the_surer_epoch_shows_it() -> None:
+    """The less sure epoch is asked; what moved little, or has no second certain sighting, is not."""
+    far, little = 0.25 * UNIT.height, 0.15 * UNIT.height
+    seen = [
+        {0: seen_by(0.9, True, far), 1: seen_by(0.99, True, 0.0)},
+        {0: seen_by(0.99, True, 20.0), 1: seen_by(0.9, True, 20.0 + far)},
+        {0: seen_by(0.9, True, 40.0 + little), 1: seen_by(0.99, True, 40.0)},
+        {0: seen_by(0.9, False, 60.0 + far), 1: seen_by(0.99, True, 60.0)},
+    ]
+    said = {0.0: 0.98, 20.0: np.nan}
+    recovered = look_for_rest(seen, 2, [UNIT], np.zeros((2, 3)), lambda *_: seen_nothing, saying(said))
+    assert [(unit, epoch, float(sighting.pose.centre[0])) for unit, epoch, sighting in recovered] == [(0, 0, 0.0)]
+
+
 def seen_by(score: float, certain: bool, place: float) -> FittedUnit:
     return replace(fitted(POSE.shifted([place, 0.0, 0.0]), np.zeros((0, 3))), score=score, certain=certain, covariance=np.eye(6))
 
@@ -99,23 +136,7 @@ def test_what_another_epoch_says_changes_the_evidence() -> None:
     sightings = [(0.7, True, 0.0), (0.7, True, 9.0), (0.6, False, 20.0), (0.5, False, 20.3), (0.6, False, 40.0), (0.3, False, 60.0)]
     seen = [{0: seen_by(*sighting)} for sighting in sightings]
     said = {0.0: 0.01, 9.0: np.nan, 20.0: 0.9, 20.3: 0.95, 40.0: 0.5}
-
-    def ask(questions: Sequence[Question]) -> list[Answer]:
-        units = [unit for question in questions for unit in cast(MissingUnits, question).units]
-        assert len(questions) == 1
-        return [
-            {
-                "state": np.array(["there"] * len(units)),
-                "centre": np.array([unit.pose.centre for unit in units]),
-                "rotation": np.array([unit.pose.rotation for unit in units]),
-                "score": np.array([said[round(float(unit.pose.centre[0]), 1)] for unit in units]),
-                "points": np.zeros((0, 3)),
-                "sources": np.zeros(0, dtype=np.uint16),
-                "offsets": np.zeros(len(units) + 1, dtype=np.int64),
-            }
-        ]
-
-    states, recovered, verdicts = look_for_missing(epochs, seen, [UNIT], np.zeros((2, 3)), lambda *_: seen_nothing, ask)
+    states, recovered, verdicts = look_for_missing(epochs, seen, [UNIT], np.zeros((2, 3)), lambda *_: seen_nothing, saying(said))
     assert verdicts == {0: False, 3: True}
     assert [(unit, epoch, sighting.score) for unit, epoch, sighting in recovered] == [(1, 1, 0.7), (3, 1, 0.95)]
     assert all(sighting.certain for *_, sighting in recovered)
@@ -124,3 +145,23 @@ def test_what_another_epoch_says_changes_the_evidence() -> None:
 
 def seen_nothing() -> tuple[np.ndarray, np.ndarray]:
     return np.zeros((0, 3)), np.zeros(0, dtype=np.uint16)
+
+
+def saying(scores: dict[float, float]) -> Ask:
+    """Answers that all units are there, with joint scores by their place along x."""
+
+    def ask(questions: Sequence[Question]) -> list[Answer]:
+        return [answer(cast(MissingUnits, question).units) for question in questions]
+
+    def answer(units: Sequence[FittedUnit]) -> Answer:
+        return {
+            "state": np.array(["there"] * len(units)),
+            "centre": np.array([unit.pose.centre for unit in units]),
+            "rotation": np.array([unit.pose.rotation for unit in units]),
+            "score": np.array([scores[round(float(unit.pose.centre[0]), 1)] for unit in units]),
+            "points": np.zeros((0, 3)),
+            "sources": np.zeros(0, dtype=np.uint16),
+            "offsets": np.zeros(len(units) + 1, dtype=np.int64),
+        }
+
+    return ask
