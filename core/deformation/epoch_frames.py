@@ -18,10 +18,10 @@ from scipy.special import fdtrc
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.robust import CHI2_3_MEDIAN
-from ..registration.bending import FEWEST_CELLS, GAIN, Bending, estimate_bending, explained, rigid_log_likelihood
+from ..registration.bending import GAIN, Bending, estimate_bending, explained, rigid_log_likelihood
 from ..registration.control import MIN_TARGETS, SNOOPING_LEVEL, exclude_by_turns
 from ..registration.frame_field import FREE_SHIFT, FREE_TURN, RIGID, FieldBasis, FieldEstimate, FieldModel
-from ..registration.shift_samples import ShiftSample, in_cells
+from ..registration.shift_samples import FEWEST_CELLS, ShiftSample, in_cells
 from ..registration.transformation import rigid_jacobian
 from .target_changes import p_values_of_changes
 

@@ -65,7 +65,7 @@ class MissingUnits:
     moves
         (k, 3) by which the cloud around each of them lies elsewhere in the epoch that misses it.
     rivals
-        (k,) how that epoch shows them itself, far from there; None of those that it misses.
+        (k,) how that epoch shows them itself, far from there, each one of the owners; None of those that it misses.
     owners
         Units of that epoch around them: their points are taken.
     now, before
@@ -105,7 +105,7 @@ class MissingUnits:
             own, score = np.zeros(0, dtype=np.int64), math.nan
             if state == "there":
                 owned = (self.owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * self.reach))
-                near = [owner for owner in owned if rival is None or not np.array_equal(owner.pose.centre, rival.pose.centre)]
+                near = [owner for owner in owned if owner is not rival]
                 free = _left_by(near, points, index)
                 pose = settled_on(points[free], pose, known.shape, tolerance, fewest)
                 own = free[np.abs(distance_to_surface(pose.to_body(points[free]), known.shape)) < tolerance]
@@ -389,11 +389,12 @@ def _joint_score(known: FittedUnit, pose: Pose, owners: Sequence[FittedUnit], ar
 
 def _rest_score(known: FittedUnit, pose: Pose, rival: Pose, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool) -> float:
     """The same of a unit whose ``rival`` pose the (n, 3) points around were taken for; not finite where they speak for that one."""
-    here, there = (_look_at(either, known.shape, owners, around, sparse) for either in (pose, rival))
-    if here is None or there is None or not _stays(here, pose, known.shape):
+    here = _look_at(pose, known.shape, owners, around, sparse)
+    if here is None or not _stays(here, pose, known.shape):
         return math.nan
+    there = _look_at(rival, known.shape, owners, around, sparse)
     # refined, the other one may have come here as well
-    if here.score < there.score and not _stays(there, pose, known.shape):
+    if there is None or (here.score < there.score and not _stays(there, pose, known.shape)):
         return math.nan
     return _both_say(known.score, here.score)
 

@@ -21,9 +21,8 @@ from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.robust import CHI2_1_MEDIAN, MAD_TO_SD, t_weights
 from .frame_field import FieldModel, matern
 from .moved_stretches import CERTAIN, DOUBTED, SEEN, clearest_jump, outside
-from .shift_samples import ShiftSample, axis_of, trend_of
+from .shift_samples import FEWEST_CELLS, ShiftSample, axis_of, smooth_covariances, trend_of
 
-FEWEST_CELLS = 15
 MOST_CELLS = 180
 """Cells of one window of the likelihood; longer coasts are looked at in several, which cover them."""
 WINDOW_STEP = 0.5
@@ -222,16 +221,15 @@ def _windows(along: FloatArray) -> list[IntArray]:
 
 def _kept(sample: ShiftSample, window: IntArray, model: FieldModel) -> BoolArray:
     """Which cells a robust adjustment of the first model explains; fixed observations always."""
-    places, fixed = sample.places[window], sample.fixed[window]
+    fixed = sample.fixed[window]
     weight, misfit = np.ones(len(window)), np.zeros(len(window))
-    scaled, trend = model.scaled(places), trend_of(places)
-    correlation = model.correlation(scaled, scaled)
+    smooth = smooth_covariances(sample.places[window], model)
     for _ in range(12):
         misfit = np.zeros(len(window))
         for axis in range(3):
             own = sample.variances[window, axis]
             noise = own / weight
-            inverse = np.linalg.inv(model.sds[axis] ** 2 * correlation + trend @ trend.T + np.diag(noise))
+            inverse = np.linalg.inv(smooth[axis] + np.diag(noise))
             # prediction of each from all others, with its own stated variance
             away = inverse @ sample.values[window, axis] / np.diag(inverse)
             misfit += away**2 / (1 / np.diag(inverse) - noise + own)

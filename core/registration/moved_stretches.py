@@ -13,10 +13,8 @@ import numpy as np
 
 from ..common.arrays import FloatArray, IntArray
 from .frame_field import FieldModel, matern
-from .shift_samples import ShiftSample, trend_of
+from .shift_samples import FEWEST_CELLS, ShiftSample, smooth_covariances
 
-FEWEST_CELLS = 15
-"""Cells of a window among which a stretch is looked for."""
 LONGEST_JUMP, LONGEST_OF_WINDOW = 0.4, 0.5
 """Longest such stretch over the length of the structure, and over that of the window which shows it: of more than that nobody could say
 which part moved."""
@@ -65,13 +63,12 @@ USUAL_EXTENT = 100.0
 
 @dataclass(frozen=True, kw_only=True)
 class Jump:
-    """Stretch from ``low`` to ``high`` along the axis, metres, the gain of its common motion, the same without the ``cell`` (by its number)
-    that bears most of it, and the square of the motion."""
+    """Stretch from ``low`` to ``high`` along the axis, metres, the gain of its common motion, and the same without the ``cell`` (by its
+    number) that bears most of it."""
 
     low: float
     high: float
     gain: float
-    square: float
     gain_of_others: float
     cell: int
 
@@ -142,20 +139,15 @@ def _clearest_in(
     cells = np.flatnonzero(free & (bins >= low) & (bins < high))
     others = _gains_of_others(inverses, solved, cells)
     return Jump(
-        low=float(edges[low]), high=float(edges[high]), gain=float(gains[low, high]), square=float(sizes[low, high]),
+        low=float(edges[low]), high=float(edges[high]), gain=float(gains[low, high]),
         gain_of_others=float(others.min()), cell=int(window[cells[np.argmin(others)]]),
     )  # fmt: skip
 
 
 def _inverses(sample: ShiftSample, window: IntArray, model: FieldModel) -> list[FloatArray]:
     """By component, inverse of the covariance of the shifts of a window under a bend."""
-    scaled, trend = model.scaled(sample.places[window]), trend_of(sample.places[window])
-    correlation = model.correlation(scaled, scaled)
-    noises = [np.diag(sample.variances[window, axis]) for axis in range(3)]
-    return [
-        np.asarray(np.linalg.inv(sd**2 * correlation + trend @ trend.T + own), dtype=np.float64)
-        for sd, own in zip(model.sds, noises, strict=True)
-    ]
+    smooth = smooth_covariances(sample.places[window], model)
+    return [np.asarray(np.linalg.inv(own + np.diag(noise))) for own, noise in zip(smooth, sample.variances[window].T, strict=True)]
 
 
 def _gains_of_others(inverses: Sequence[FloatArray], solved: FloatArray, cells: IntArray) -> FloatArray:

@@ -10,7 +10,10 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import BoolArray, FloatArray
 from ..common.robust import CHI2_1_MEDIAN
+from .frame_field import FieldModel
 
+FEWEST_CELLS = 15
+"""Cells from which a bend is learned, and among which a stretch that moved as one is looked for."""
 TREND_SHIFT, TREND_SLOPE = 1.0, 0.01
 """Prior standard deviations of a shift (m) and slope that the rigid motion may leave."""
 
@@ -85,3 +88,10 @@ def trend_of(places: FloatArray) -> FloatArray:
     """(k, 3) columns of a shift and two slopes at (k, 2) places, scaled by their prior deviations: what a rigid motion may leave."""
     arm = places - places.mean(axis=0)
     return np.column_stack([np.full(len(places), TREND_SHIFT), TREND_SLOPE * arm])
+
+
+def smooth_covariances(places: FloatArray, model: FieldModel) -> list[FloatArray]:
+    """By component, (k, k) covariance in square metres of what a bend and the rigid motion make at (k, 2) places, without noise."""
+    scaled, trend = model.scaled(places), trend_of(places)
+    correlation, left = model.correlation(scaled, scaled), trend @ trend.T
+    return [np.asarray(sd**2 * correlation + left) for sd in model.sds]

@@ -194,16 +194,15 @@ def score_among(found: Evidence, centres: FloatArray, tolerance: float, typical:
     Units lie among units. In noisy clouds a fifth of one and a rock look alike, and the place tells them apart. A pose that is sure by its
     own elements keeps that score, and so does every pose of a sparse cloud; where it stands apart, the odds of that lower it.
     """
+    alone = score(found, tolerance, typical)
     model = typical.model
     if not len(found) or (model.among is None and model.apart_odds == 1.0):
-        return score(found, tolerance, typical)
-    sure = score(found, tolerance, typical) >= SURE_ALONE
-    return score_in_company(found, among_feature(centres, sure, unit), tolerance, typical)
+        return alone
+    return score_in_company(alone, found, among_feature(centres, alone >= SURE_ALONE, unit), tolerance, typical)
 
 
-def score_in_company(found: Evidence, company: FloatArray, tolerance: float, typical: TypicalUnit) -> FloatArray:
-    """(k,) as :func:`score_among`, from the (k,) :func:`among_feature` of the poses."""
-    alone = score(found, tolerance, typical)
+def score_in_company(alone: FloatArray, found: Evidence, company: FloatArray, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k,) as :func:`score_among`, from the (k,) :func:`score` and :func:`among_feature` of the poses."""
     model = typical.model
     apart = company < np.log1p(APART) - 1e-9
     own = np.where(apart, alone / (alone + model.apart_odds * (1 - alone)), alone)

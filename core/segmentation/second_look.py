@@ -15,7 +15,7 @@ from ..model.unit_types import UnitType
 from .aggregation import assign, contested
 from .pose_evidence import evidence
 from .pose_refinement import refine
-from .pose_score import AMONG_HEIGHTS, is_sparse, score_in_company, score_with_residuals, typical_unit
+from .pose_score import AMONG_HEIGHTS, is_sparse, score, score_in_company, score_with_residuals, typical_unit
 from .raw_residuals import raw_residuals
 from .scene import Scene
 from .segment import CLEARANCE_IN_NOISE, elements_and_tolerance
@@ -70,8 +70,9 @@ def second_look(points: FloatArray, pose: FloatArray, others: FloatArray, sure: 
     found = evidence(poses[own:], scene, free)
     near = np.linalg.norm(others[:, :3] - poses[own, :3], axis=1) < AMONG_HEIGHTS * unit.height
     company = np.log1p([np.count_nonzero(sure & near)])
-    score = score_in_company(found, company, tolerance, typical_unit(found, scene))
+    typical = typical_unit(found, scene)
+    scores = score_in_company(score(found, tolerance, typical), found, company, tolerance, typical)
     if scene.smoothed:
         # of the units around a part is seen here: what is usual on them cannot be told
-        score = score_with_residuals(score, raw_residuals(points, poses, unit, thinned.noise)[own:], found.support)
-    return SecondLook(float(score[0]), poses[own], scene.smoothed)
+        scores = score_with_residuals(scores, raw_residuals(points, poses, unit, thinned.noise)[own:], found.support)
+    return SecondLook(float(scores[0]), poses[own], scene.smoothed)
