@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -20,7 +21,7 @@ from scipy.optimize import minimize_scalar
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.robust import CHI2_1_MEDIAN, MAD_TO_SD, t_weights
 from .frame_field import FieldModel, matern
-from .moved_stretches import CERTAIN, DOUBTED, SEEN, clearest_jump, outside
+from .moved_stretches import moved_stretches
 from .shift_samples import FEWEST_CELLS, ShiftSample, axis_of, smooth_covariances, trend_of
 
 MOST_CELLS = 180
@@ -40,8 +41,6 @@ ELONGATED = 3.0
 """Length over width from which the ground is a strip, along which errors run."""
 LINE_OF_FLIGHT = 16.0
 """Correlation length across over along of errors that run along a line of flight and are the same all across it."""
-MOST_TRIES = 6
-"""Stretches in doubt that are asked for at most."""
 SIDE_CELLS, SIDE_SHARE = 4, 0.5
 """Cells on one side of another, and the share of the correlation length within which they are looked for, that say whether it agrees."""
 AGREEING = 3.5
@@ -106,36 +105,16 @@ def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = G
         kept = _kept(sample, window, first)
         windows.append(window[kept])
         searched.append(window[kept | _beside_a_step(sample, window, first, ~kept)])
-    model, gain = _likeliest(sample, windows, axis, lengths, ratios)
-    jumps: list[tuple[float, float]] = []
-    asked = SEEN
-    for _ in range(MOST_TRIES):
-        if model is None or gain <= least_gain:
-            break
-        doubt = clearest_jump(sample, searched, along, model, shortest, asked)
-        if doubt is None:
-            if jumps or asked is DOUBTED:
-                break
-            asked = DOUBTED
-            continue
-        smooth, _ = _likeliest(sample, outside(sample, windows, along, doubt), axis, lengths, ratios)
-        jump = clearest_jump(sample, searched, along, smooth or model, shortest, CERTAIN.along(extent))
-        if jump is None or jump.high <= doubt.low or jump.low >= doubt.high:
-            # it is a bend, and the next in doubt is asked for
-            searched = outside(sample, searched, along, doubt)
-            continue
-        jumps.append((jump.low, jump.high))
-        windows, searched = (outside(sample, part, along, jump) for part in (windows, searched))
-        model, gain = _likeliest(sample, windows, axis, lengths, ratios)
-        if asked is DOUBTED:
-            break
+    bend_of = partial(_likeliest, sample, axis=axis, lengths=lengths, ratios=ratios)
+    found = moved_stretches(sample, along, windows, searched, bend_of, shortest, least_gain)
+    model, gain = found.model, found.gain
     if model is None or gain <= least_gain:
         return replace(rigid, gain=gain)
     if elongation > ELONGATED:
         # looked for last: the freer a bend is to follow the ground, the less a step looks like one
-        wide, wide_gain = _likeliest(sample, windows, axis, lengths, (LINE_OF_FLIGHT,))
+        wide, wide_gain = _likeliest(sample, found.windows, axis, lengths, (LINE_OF_FLIGHT,))
         model, gain = (wide, wide_gain) if wide is not None and wide_gain > gain else (model, gain)
-    return Bending(model=model, gain=gain, axis=axis, jumps=tuple(jumps))
+    return Bending(model=model, gain=gain, axis=axis, jumps=found.stretches)
 
 
 def explained(sample: ShiftSample, model: FieldModel) -> IntArray:

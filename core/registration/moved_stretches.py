@@ -6,7 +6,7 @@ of the step; so a stretch is in doubt by the bend that all cells show, and told 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,6 +18,11 @@ from .shift_samples import FEWEST_CELLS, ShiftSample, smooth_covariances
 LONGEST_JUMP, LONGEST_OF_WINDOW = 0.4, 0.5
 """Longest such stretch over the length of the structure, and over that of the window which shows it: of more than that nobody could say
 which part moved."""
+MOST_TRIES = 6
+"""Stretches in doubt that are asked for at most, by either evidence."""
+
+BendOf = Callable[[Sequence[IntArray]], tuple[FieldModel | None, float]]
+"""Likeliest bend of the cells of some windows, None where a rigid motion is likelier, and its gain of log-likelihood."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,6 +76,72 @@ class Jump:
     gain: float
     gain_of_others: float
     cell: int
+
+    def overlaps(self, other: Jump) -> bool:
+        """Whether a part of both is the same."""
+        return self.high > other.low and self.low < other.high
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MovedStretches:
+    """What :func:`moved_stretches` found.
+
+    Attributes
+    ----------
+    stretches
+        From and to along the axis, metres, the clearest first.
+    windows
+        Numbers of the cells outside them.
+    model, gain
+        Likeliest bend of these, and its gain over a rigid motion.
+    """
+
+    stretches: tuple[tuple[float, float], ...]
+    windows: list[IntArray]
+    model: FieldModel | None
+    gain: float
+
+
+def moved_stretches(
+    sample: ShiftSample, along: FloatArray, windows: list[IntArray], searched: list[IntArray], bend_of: BendOf, step: float,
+    least_gain: float,
+) -> MovedStretches:  # fmt: skip
+    """Stretches that moved as one: all that are seen, or one that a bend hides where none is.
+
+    Parameters
+    ----------
+    sample
+        Shifts by cells and targets.
+    along
+        (k,) places along the structure, metres.
+    windows, searched
+        Numbers of the cells from which bends are learned, and of those among which stretches are looked for.
+    bend_of
+        Likeliest bend of some windows.
+    step
+        Least length of a stretch, metres.
+    least_gain
+        Gain up to which a bend is none, and nothing is looked for.
+    """
+    model, gain = bend_of(windows)
+    told: list[tuple[float, float]] = []
+    for asked, most in ((SEEN, MOST_TRIES), (DOUBTED, 1)):
+        for _ in range(MOST_TRIES):
+            if model is None or gain <= least_gain or len(told) >= most:
+                break
+            doubt = clearest_jump(sample, searched, along, model, step, asked)
+            if doubt is None:
+                break
+            smooth, _ = bend_of(outside(sample, windows, along, doubt))
+            jump = clearest_jump(sample, searched, along, smooth or model, step, CERTAIN.along(float(np.ptp(along))))
+            if jump is None or not jump.overlaps(doubt):
+                # it is a bend, and the next in doubt is asked for
+                searched = outside(sample, searched, along, doubt)
+                continue
+            told.append((jump.low, jump.high))
+            windows, searched = (outside(sample, part, along, jump) for part in (windows, searched))
+            model, gain = bend_of(windows)
+    return MovedStretches(stretches=tuple(told), windows=windows, model=model, gain=gain)
 
 
 def outside(sample: ShiftSample, windows: Sequence[IntArray], along: FloatArray, jump: Jump) -> list[IntArray]:

@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 FloatArray = NDArray[np.float64]
 ANGLE = 0.5
 DIRECTION = np.array([math.cos(ANGLE), math.sin(ANGLE)])
+SLIDE = (0.07, 0.0, -0.07)
+"""Common motion of a sliding stretch, metres."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -29,6 +31,11 @@ class BentCoast:
     @property
     def resting(self) -> NDArray[np.bool_]:
         return ~self.motions.any(axis=1)
+
+    @property
+    def sliding(self) -> NDArray[np.bool_]:
+        """(n,) units on the stretch that moved as one."""
+        return np.asarray(np.all(self.motions == SLIDE, axis=1))
 
 
 def waves(rng: np.random.Generator, along: FloatArray, rms: float, shortest: float, longest: float) -> FloatArray:
@@ -66,7 +73,7 @@ def bent_coast(
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
     motions[moved] = (directions * rng.uniform(0.02, 0.2, count)[:, None])[moved]
     if slide is not None:
-        motions[(along > slide[0]) & (along < slide[1])] = [0.07, 0.0, -0.07]
+        motions[(along > slide[0]) & (along < slide[1])] = SLIDE
     # understated as real covariances are
     errors = 1.15 * np.einsum("nij,nj->ni", roots, rng.normal(size=(count, 3)))
     targets = _placed(along_targets, across_targets, np.full(len(along_targets), 9.0))
