@@ -178,7 +178,7 @@ def _members(units: TrackedUnits, first: int, second: int) -> _Members:
                 turn=turn_vector(a.pose, b.pose), turn_covariance=turn_covariance(a.pose, b.pose, both),
             )
         )  # fmt: skip
-        certain.append("uncertain" not in (a.status, b.status))
+        certain.append("uncertain" not in (a.status, b.status) and not (a.held or b.held))
         carried.append(any(first < e <= second for e in units.tracks[k].relocated))
     return _Members(
         numbers=tuple(numbers), pairs=tuple(pairs), certain=np.array(certain, dtype=bool), carried=np.array(carried, dtype=bool)

@@ -94,6 +94,9 @@ class TrackedUnit:
         The motion since the last sighting leaves the leg numbers open.
     legs
         Whether its legs are whole, by its own leg numbers.
+    held
+        Its points leave the displacement from another epoch open, and the pose is held where that one shows the unit
+        (:mod:`.open_displacements`).
     """
 
     row: int | None
@@ -104,3 +107,4 @@ class TrackedUnit:
     points: int
     ambiguous: bool = False
     legs: LegEnds = field(default_factory=LegEnds.unseen)
+    held: bool = False

@@ -32,6 +32,7 @@ from .identity import FoundUnits, Track, identify
 from .joint_records import JointAdjustment, UnitSighting
 from .legs_over_epochs import legs_over_epochs
 from .missing_units import SAME_PLACE_HEIGHTS, Surroundings, look_for_missing, look_for_rest
+from .open_displacements import hold_open_displacements
 from .questions import Ask, answered_here
 from .relocation import join_relocated
 from .strip_offsets import adjust_jointly
@@ -143,6 +144,7 @@ def track(
     sure = np.array([all(s.score >= SURE_SCORE for s in own.values()) for own in seen], dtype=np.bool_)
     odd = odd_sizes(joint, np.array([t.kind for t in tracks], dtype=np.int64), units, sure)
     tracked = [states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
+    tracked = hold_open_displacements(TrackedUnits(types=units, tracks=tracks, states=tracked, joint=joint, numbers=numbers))
     known = TrackedUnits(types=units, tracks=tracks, states=tracked, joint=joint, numbers=numbers)
     frames = _frames(known, epochs, frame)
     pairs = tuple(compare_epochs(known, epochs, a, b, frames) for a, b in combinations(range(len(epochs)), 2))

@@ -101,7 +101,11 @@ _DISPLACEMENT_FIELDS = (
     Field("statistic", "real", "test statistic of the displacement against zero"),
     Field("p_value", "real", "probability of a statistic at least as large if the unit did not move"),
     Field("significant", "boolean", "the displacement is significant at the level of the run"),
-    Field("class", "text", "stable, moved, rotated, lost, new, relocated or uncertain"),
+    Field(
+        "class",
+        "text",
+        "stable, moved, rotated, lost, new, relocated or uncertain (weak evidence, or left open by its points and held at rest)",
+    ),
     Field("p_adjusted", "real", "p-value of the centre's displacement adjusted for all units of the pair (Benjamini-Hochberg)"),
     Field("detectable", "real", "displacement found with a probability of 80 % in the worst direction", "m"),
     Field("d_over_h", "real", "length of the displacement over the unit's height H"),
