@@ -2,136 +2,83 @@
 
 Of a unit of which one leg is seen, few points or noisy ones leave the way along that leg open, or the turn about it, and the pose lies
 anywhere within decimetres. The other epoch often shows the unit well. A displacement of which some direction cannot be told is therefore
-adjusted with the condition that the unit moved there as its neighbours did, as long as the test of rest does not speak against it; what
-the points do say, across the leg, stays. Standard deviations stay those of the points: they say how far it may have moved unseen.
+adjusted with the condition that the unit moved there as the frame says that units at rest did, unless its tests call it moved or rotated;
+what the points do say, across the leg, stays. Standard deviations stay those of the points: they say how far it may have moved unseen.
 Conditions between unknowns: Mikhail and Ackermann (1976, Observations and Least Squares, chapter 9).
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from scipy.linalg import block_diag
-from scipy.spatial import cKDTree
-from scipy.special import chdtrc
 
-from ..common.arrays import FloatArray
 from ..model.feature_points import body_features
+from ..model.pose import Pose
 from ..model.unit_types import UnitType
-from .displacement import SIGNIFICANCE, turn_vector
-from .epoch_pairs import TrackedUnits, joint_block
+from .displacement import FramePart, turn_vector
+from .epoch_pairs import EpochPair, TrackedUnits, joint_block
 from .tracked_epoch import TrackedUnit
 
 OPEN_HEIGHTS = 0.015
 """Standard deviation of a displacement in some direction, in unit heights, beyond which it is open: a motion of 5 % of H is missed more
 often than not then (test at 5 %, power 80 %: 3.3 standard deviations)."""
-NEIGHBOURS = 9
-"""Units whose median motion says how the place of a unit moved."""
 
 
-@dataclass(frozen=True, eq=False)
-class _Step:
-    """A unit's motion from one epoch to another, less that of its neighbours.
+def hold_open_displacements(units: TrackedUnits, pairs: Sequence[EpochPair]) -> list[dict[int, TrackedUnit]] | None:
+    """States of all units with open displacements held at rest in the directions that are, each against the epoch that shows the unit best.
 
-    Attributes
+    They have the poses adjusted so, and are ``held`` in the epochs whose pose was open; covariances stay. None where nothing is open.
+
+    Parameters
     ----------
-    motion, covariance
-        (6,), (6, 6) shift in metres and turn times the mean distance of the feature points from the centre, metres.
-    """
-
-    motion: FloatArray
-    covariance: FloatArray
-
-    def open_directions(self, height: float) -> FloatArray:
-        """(6, m) orthonormal directions of the motion that the points leave open."""
-        variances, directions = np.linalg.eigh(self.covariance)
-        return np.asarray(directions[:, variances > (OPEN_HEIGHTS * height) ** 2])
-
-    @property
-    def is_rest(self) -> bool:
-        """Whether the test of rest does not speak against it."""
-        return bool(chdtrc(6, self.motion @ np.linalg.solve(self.covariance, self.motion)) > SIGNIFICANCE)
-
-
-def hold_open_displacements(units: TrackedUnits) -> list[dict[int, TrackedUnit]]:
-    """States of all units, open displacements held at rest in the directions that are, against the epoch that shows the unit best.
-
-    They have the poses adjusted so, and are ``held`` in the epochs whose pose was open; covariances stay.
+    pairs
+        All pairs of epochs, with what is known of the motions before anything is held.
     """
     states = [dict(own) for own in units.states]
-    motions = _NeighboursMotion(units)
-    for unit, own in enumerate(units.states):
-        counting = [epoch for epoch, state in own.items() if _counts(state)]
-        if len(counting) < 2 or units.tracks[unit].relocated:
-            continue
-        best = min(counting, key=lambda epoch: (_largest_sd(own[epoch]), epoch))
-        for epoch in counting:
-            if epoch != best:
-                states[unit] |= _held(units, unit, states[unit], best, epoch, motions)
-    return states
+    best = [min((_largest_sd(state), epoch) for epoch, state in own.items())[1] for own in states]
+    held = False
+    for pair in pairs:
+        for motion in pair.units:
+            own, epochs = states[motion.unit], (pair.first, pair.second)
+            if motion.classes["stable"] != "stable" or best[motion.unit] not in epochs:
+                continue
+            poses = _at_rest(units, motion.unit, own, epochs, motion.frames["stable"])
+            if poses is not None:
+                held = True
+                for epoch, pose in zip(epochs, poses, strict=True):
+                    own[epoch] = replace(own[epoch], pose=pose, held=own[epoch].held or epoch != best[motion.unit])
+    return states if held else None
 
 
-def _held(
-    units: TrackedUnits, unit: int, states: Mapping[int, TrackedUnit], best: int, epoch: int, motions: _NeighboursMotion
-) -> dict[int, TrackedUnit]:
-    """States of the unit with its open displacement from the ``best`` epoch to another one held at rest; none where it is not open."""
+def _at_rest(
+    units: TrackedUnits, unit: int, states: dict[int, TrackedUnit], epochs: tuple[int, int], frame: FramePart
+) -> tuple[Pose, Pose] | None:
+    """Poses of a unit in two epochs, its displacement held at rest in the directions that its points leave open; None where none is."""
     shape = units.types[units.tracks[unit].kind]
-    first, second = states[best].pose, states[epoch].pose
+    first, second = states[epochs[0]].pose, states[epochs[1]].pose
     if first is None or second is None:
-        return {}
-    a, b = units.numbers[unit, best], units.numbers[unit, epoch]
-    lever = _lever(shape)
-    scale = np.repeat([1.0, lever], 3)
+        return None
+    both = joint_block(units.joint, unit, *(units.numbers[unit, epoch] for epoch in epochs))
     turn = second.rotation @ first.rotation.T
+    # turns as ways of the feature points, so that all components are metres
+    scale = np.repeat([1.0, _lever(shape)], 3)
     difference = scale[:, None] * np.hstack([-block_diag(np.eye(3), turn), np.eye(6)])
-    both = joint_block(units.joint, unit, a, b)
-    shift = motions.at(unit, best, epoch, first.centre)
-    motion = scale * np.concatenate([second.centre - first.centre - shift, turn_vector(first, second)])
-    step = _Step(motion, difference @ both @ difference.T)
-    directions = step.open_directions(shape.height)
-    if not directions.shape[1] or not step.is_rest:
-        return {}
-    conditions = directions.T @ difference
-    change = -both @ conditions.T @ np.linalg.solve(conditions @ both @ conditions.T, directions.T @ motion)
-    return {
-        best: replace(states[best], pose=first.perturbed(change[:3], change[3:6])),
-        epoch: replace(states[epoch], pose=second.perturbed(change[6:9], change[9:]), held=True),
-    }
-
-
-class _NeighboursMotion:
-    """How the cloud around a unit moved from one epoch to another."""
-
-    def __init__(self, units: TrackedUnits) -> None:
-        self._units = units
-        self._known: dict[tuple[int, int], tuple[cKDTree, FloatArray, list[int]]] = {}
-
-    def at(self, unit: int, first: int, second: int, place: FloatArray) -> FloatArray:
-        """(3,) median motion of the nearest other units that both epochs show; none without others."""
-        if (first, second) not in self._known:
-            rows = [
-                (k, a.pose.centre, b.pose.centre)
-                for k, own in enumerate(self._units.states)
-                if (a := own.get(first)) is not None and (b := own.get(second)) is not None and _counts(a) and _counts(b)
-                and a.pose is not None and b.pose is not None
-            ]  # fmt: skip
-            before, after = (np.array([row[k] for row in rows]).reshape(-1, 3) for k in (1, 2))
-            self._known[first, second] = cKDTree(before), after - before, [row[0] for row in rows]
-        tree, motions, numbers = self._known[first, second]
-        near = [int(k) for k in tree.query(place, k=min(NEIGHBOURS + 1, len(numbers)))[1].reshape(-1)] if len(numbers) > 1 else []
-        others = [k for k in near if numbers[k] != unit]
-        return np.asarray(np.median(motions[others], axis=0)) if others else np.zeros(3)
-
-
-def _counts(state: TrackedUnit) -> bool:
-    return state.pose is not None and state.status != "uncertain"
+    variances, directions = np.linalg.eigh(difference @ both @ difference.T)
+    left_open = directions[:, variances > (OPEN_HEIGHTS * shape.height) ** 2]
+    if not left_open.shape[1]:
+        return None
+    motion = scale * (np.concatenate([second.centre - first.centre, turn_vector(first, second)]) - frame.motion)
+    conditions = left_open.T @ difference
+    change = -both @ conditions.T @ np.linalg.solve(conditions @ both @ conditions.T, left_open.T @ motion)
+    return first.perturbed(change[:3], change[3:6]), second.perturbed(change[6:9], change[9:])
 
 
 def _largest_sd(state: TrackedUnit) -> float:
-    """Standard deviation of the centre in its worst direction, metres."""
+    """Standard deviation of the centre in its worst direction, metres; inf without a pose."""
     return math.inf if state.covariance is None else math.sqrt(max(np.linalg.eigvalsh(state.covariance[:3, :3])[-1], 0.0))
 
 

@@ -144,10 +144,13 @@ def track(
     sure = np.array([all(s.score >= SURE_SCORE for s in own.values()) for own in seen], dtype=np.bool_)
     odd = odd_sizes(joint, np.array([t.kind for t in tracks], dtype=np.int64), units, sure)
     tracked = [states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
-    tracked = hold_open_displacements(TrackedUnits(types=units, tracks=tracks, states=tracked, joint=joint, numbers=numbers))
     known = TrackedUnits(types=units, tracks=tracks, states=tracked, joint=joint, numbers=numbers)
     frames = _frames(known, epochs, frame)
-    pairs = tuple(compare_epochs(known, epochs, a, b, frames) for a, b in combinations(range(len(epochs)), 2))
+    pairs = _compared(known, epochs, frames)
+    held = hold_open_displacements(known, pairs)
+    if held is not None:
+        known, tracked = replace(known, states=held), held
+        pairs = _compared(known, epochs, frames)
     calibrations = tuple(PoseCalibration.of_pairs([p.calibration for p in pairs if k in (p.first, p.second)]) for k in range(len(epochs)))
     checks = _cross_checks([with_poses(own, tracked[k]) for k, own in enumerate(seen)], joint, numbers, len(epochs))
     velocities = _velocities(epochs, units, tracks, tracked, pairs, calibrations) if len(epochs) > 2 else {}
@@ -166,6 +169,11 @@ def track(
         shifts=identities.shifts,
         frames=frames,
     )
+
+
+def _compared(units: TrackedUnits, epochs: Sequence[TrackedEpoch], frames: EpochFrames | None) -> tuple[EpochPair, ...]:
+    """All pairs of epochs."""
+    return tuple(compare_epochs(units, epochs, a, b, frames) for a, b in combinations(range(len(epochs)), 2))
 
 
 def _with_legs(seen: Mapping[int, FittedUnit]) -> dict[int, FittedUnit]:

@@ -1,22 +1,27 @@
-"""A displacement that the points leave open in some direction is held at rest there, unless the test of rest speaks against it."""
+"""A displacement that the points leave open in some direction is held at rest there, unless its tests call it moved."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import UTC, datetime
 from types import SimpleNamespace
 from typing import cast
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from synthetic_units import UNIT
-from tetratrack.core.deformation.displacement import turn_vector
-from tetratrack.core.deformation.epoch_pairs import TrackedUnits
+from synthetic_units import UNIT, grid_poses, seen_from_above
+from tetratrack.core.deformation.displacement import FramePart, turn_vector
+from tetratrack.core.deformation.epoch_pairs import EpochPair, PairMotion, TrackedUnits
+from tetratrack.core.deformation.fitted_unit import FittedUnit
 from tetratrack.core.deformation.identity import Track
 from tetratrack.core.deformation.joint_records import JointAdjustment
 from tetratrack.core.deformation.open_displacements import hold_open_displacements
-from tetratrack.core.deformation.tracked_epoch import TrackedUnit
+from tetratrack.core.deformation.tracked_epoch import TrackedEpoch, TrackedUnit
+from tetratrack.core.deformation.tracking import track
+from tetratrack.core.deformation.unit_clouds import UnitCloud
 from tetratrack.core.model.pose import Pose
+from tetratrack.core.model.tetrapod import relate
 
 COMMON = np.array([0.02, -0.01, 0.0])
 """Shift of the later cloud, metres."""
@@ -25,35 +30,29 @@ SD, OPEN_SD = 0.003, 0.05 * UNIT.height
 ROTATION = Rotation.from_euler("xyz", [0.3, 0.4, 0.5]).as_matrix()
 
 
-def tracked(
-    shift: np.ndarray, turn: np.ndarray, open_shift: bool = True, open_turn: bool = False, status: str = "found", relocated: bool = False
-) -> TrackedUnits:
-    """A row of twelve units with the common shift; number 5 moves besides, and its second epoch leaves the way along a leg, or the turn
-    about it, open."""
-    poses = [Pose(np.array([2.0 * k, 0.1 * k, 0.0]), ROTATION) for k in range(12)]
-    states, tracks, covariances = [], [], {}
-    for k, pose in enumerate(poses):
-        own = np.diag(np.full(12, SD**2))
-        if k == 5:
-            own[6:9, 6:9] += open_shift * OPEN_SD**2 * np.outer(LEG, LEG)
-            own[9:, 9:] += open_turn * np.outer(LEG, LEG)
-        after = pose.perturbed(COMMON + (shift if k == 5 else 0), turn if k == 5 else np.zeros(3))
-        covariances[k] = own
-        states.append(
-            {
-                e: TrackedUnit(
-                    row=k, pose=(pose, after)[e], covariance=own[6 * e : 6 * e + 6, 6 * e : 6 * e + 6], scale=1.0,
-                    status=status if k == 5 else "found", points=50,
-                )
-                for e in (0, 1)
-            }
-        )  # fmt: skip
-        far = frozenset({1}) if relocated and k == 5 else frozenset()
-        tracks.append(Track(kind=0, rows={0: k, 1: k}, symmetries={}, ambiguous=frozenset(), relocated=far))
-    numbers = {(k, e): 2 * k + e for k in range(12) for e in (0, 1)}
-    order = {k: (2 * k, 2 * k + 1) for k in range(12)}
-    joint = cast(JointAdjustment, SimpleNamespace(covariances=covariances, order=order))
-    return TrackedUnits(types=[UNIT], tracks=tracks, states=states, joint=joint, numbers=numbers)
+def tracked(shift: np.ndarray, turn: np.ndarray, open_shift: bool = True, open_turn: bool = False) -> TrackedUnits:
+    """A unit whose second epoch leaves the way along a leg, or the turn about it, open; it moved with the frame, and besides."""
+    pose = Pose(np.array([2.0, 0.1, 0.0]), ROTATION)
+    both = np.diag(np.full(12, SD**2))
+    both[6:9, 6:9] += open_shift * OPEN_SD**2 * np.outer(LEG, LEG)
+    both[9:, 9:] += open_turn * np.outer(LEG, LEG)
+    poses = (pose, pose.perturbed(COMMON + shift, turn))
+    states = {
+        e: TrackedUnit(
+            row=0, pose=poses[e], covariance=both[6 * e : 6 * e + 6, 6 * e : 6 * e + 6], scale=1.0, status="found", points=50
+        )
+        for e in (0, 1)
+    }  # fmt: skip
+    track = Track(kind=0, rows={0: 0, 1: 0}, symmetries={}, ambiguous=frozenset())
+    joint = cast(JointAdjustment, SimpleNamespace(covariances={0: both}, order={0: (0, 1)}))
+    return TrackedUnits(types=[UNIT], tracks=[track], states=[states], joint=joint, numbers={(0, 0): 0, (0, 1): 1})
+
+
+def compared(kind: str) -> EpochPair:
+    """Both epochs, the unit judged to be of a class."""
+    frame = FramePart(motion=np.concatenate([COMMON, np.zeros(3)]), covariance=np.zeros((6, 6)), degrees=30.0)
+    unit = PairMotion(0, {}, {"stable": kind}, {"stable": 1.0}, {"stable": frame})
+    return cast(EpochPair, SimpleNamespace(first=0, second=1, units=(unit,)))
 
 
 def motion(states: Mapping[int, TrackedUnit]) -> tuple[np.ndarray, np.ndarray]:
@@ -66,36 +65,58 @@ def motion(states: Mapping[int, TrackedUnit]) -> tuple[np.ndarray, np.ndarray]:
 def test_what_is_open_is_held_and_what_is_told_stays() -> None:
     across = np.array([0.004, 0.0, 0.0])
     units = tracked(1.5 * OPEN_SD * LEG + across, np.zeros(3))
-    held = hold_open_displacements(units)
-    assert motion(held[5])[0] == pytest.approx(COMMON + across, abs=1e-6)
-    assert [held[5][e].held for e in (0, 1)] == [False, True]
+    held = hold_open_displacements(units, [compared("stable")])
+    assert held is not None
+    assert motion(held[0])[0] == pytest.approx(COMMON + across, abs=1e-6)
+    assert [held[0][e].held for e in (0, 1)] == [False, True]
     # the pose that was open is the one that gives way
-    before, after = held[5][0].pose, units.states[5][0].pose
+    before, after = held[0][0].pose, units.states[0][0].pose
     assert before is not None
     assert after is not None
     assert np.linalg.norm(before.centre - after.centre) < 0.01 * OPEN_SD
-    assert held[5][1].covariance is units.states[5][1].covariance
-    assert not any(state.held for k, own in enumerate(held) if k != 5 for state in own.values())
+    assert held[0][1].covariance is units.states[0][1].covariance
 
 
 def test_a_turn_about_a_leg_is_held_too() -> None:
-    units = tracked(np.zeros(3), 0.4 * LEG, open_shift=False, open_turn=True)
-    shift, turn = motion(hold_open_displacements(units)[5])
+    held = hold_open_displacements(tracked(np.zeros(3), 0.4 * LEG, open_shift=False, open_turn=True), [compared("stable")])
+    assert held is not None
+    shift, turn = motion(held[0])
     assert shift == pytest.approx(COMMON, abs=1e-6)
     assert turn == pytest.approx(np.zeros(3), abs=1e-3)
 
 
 @pytest.mark.parametrize(
-    "units",
-    [
-        tracked(5 * OPEN_SD * LEG, np.zeros(3)),
-        tracked(1.5 * OPEN_SD * LEG + np.array([0.05, 0.0, 0.0]), np.zeros(3)),
-        tracked(0.01 * LEG, np.zeros(3), open_shift=False),
-        tracked(1.5 * OPEN_SD * LEG, np.zeros(3), status="uncertain"),
-        tracked(1.5 * OPEN_SD * LEG, np.zeros(3), relocated=True),
-    ],
-    ids=["moved along the leg", "moved across it", "told", "weak evidence", "carried off"],
+    ("kind", "is_open"), [("moved", True), ("rotated", True), ("uncertain", True), ("relocated", True), ("stable", False)]
 )
-def test_others_keep_their_poses(units: TrackedUnits) -> None:
-    held = hold_open_displacements(units)
-    assert [own == other for own, other in zip(held, units.states, strict=True)] == [True] * 12
+def test_others_keep_their_poses(kind: str, is_open: bool) -> None:
+    assert hold_open_displacements(tracked(1.5 * OPEN_SD * LEG, np.zeros(3), open_shift=is_open), [compared(kind)]) is None
+
+
+def test_a_unit_of_which_one_leg_is_seen_is_held_by_the_other_epoch() -> None:
+    rng = np.random.default_rng(11)
+    poses = grid_poses(rng)
+    seen_little, leg = 5, 2
+    epochs = []
+    for number in range(2):
+        units = []
+        for k, pose in enumerate(poses):
+            points = seen_from_above(pose, rng, 900, 0.01, np.zeros((1, 3))).points
+            start = pose
+            if k == seen_little and number == 1:
+                on_leg = relate(pose.to_body(points), UNIT)
+                points = points[(on_leg.leg == leg) & (on_leg.axial > 0.4 * UNIT.leg_length)][:40]
+                start = pose.shifted(0.08 * pose.rotation @ UNIT.leg_directions[leg])
+            cloud = UnitCloud.held(points, np.ones(len(points), dtype=np.int64))
+            units.append(FittedUnit(pose=start, shape=UNIT, kind=0, certain=True, discs=np.zeros(4, dtype=np.bool_), cloud=cloud))
+        time = datetime(2020 + number, 1, 1, tzinfo=UTC)
+        epochs.append(TrackedEpoch(label=str(number), time=time, units=tuple(units), registration=None))
+    result = track(epochs, [UNIT])
+    states = result.units[seen_little]
+    assert [states[e].held for e in (0, 1)] == [False, True]
+    assert [states[e].status for e in (0, 1)] == ["found", "found"]
+    own = next(m for m in result.pairs[0].units if m.unit == seen_little)
+    assert own.classes["stable"] == "uncertain"
+    assert seen_little not in [result.pairs[0].units[k].unit for k in result.pairs[0].judged]
+    # what is open is stated, and the displacement is that of a unit at rest
+    assert own.motions["stable"].detectable[0] > 0.08
+    assert np.linalg.norm(own.motions["stable"].vectors[0]) < 0.02
