@@ -105,7 +105,7 @@ def elastic_congruence_of(
     degrees
         Degrees of freedom of the registrations.
     suspects
-        (n,) units of stretches that seem to have moved as one: the others speak first.
+        (n,) units of stretches that moved as one: they agree with each other, and would vouch for each other if they were asked.
     controlled
         Whether both epochs have targets: resting units then show how far off these leave the frames.
     """
@@ -127,26 +127,27 @@ def elastic_congruence_of(
     for _ in range(ROBUST_STEPS):
         others = by_others(weights, rough)
         earlier, weights = weights, t_weights(quadratic(displacements - others.means[:, :3], rough + others.covariances[:, :3, :3]))[0]
+        weights[suspects] = 0.0
         if np.abs(weights - earlier).max(initial=0.0) < 0.05:
             break
     others = by_others(weights, rough)
     residuals, spread = displacements - others.means[:, :3], others.covariances[:, :3, :3]
     null = calibrate(residuals, covariances, scale, spread)
-    stable = null.p_value(quadratic(residuals, null.covariance(covariances) + spread)) > STABLE_LEVEL
+    stable = ~suspects & (null.p_value(quadratic(residuals, null.covariance(covariances) + spread)) > STABLE_LEVEL)
     for _ in range(DATUM_STEPS):
         others = by_others(stable.astype(np.float64), null.covariance(covariances))
         residuals, spread = displacements - others.means[:, :3], others.covariances[:, :3, :3]
         before, null = null, calibrate(residuals, covariances, scale, spread)
-        previous, stable = stable, null.p_value(quadratic(residuals, null.covariance(covariances) + spread)) > STABLE_LEVEL
+        consistent = null.p_value(quadratic(residuals, null.covariance(covariances) + spread)) > STABLE_LEVEL
+        previous, stable = stable, ~suspects & consistent
         if (stable == previous).all() and abs(null.factor - before.factor) + abs(null.floor - before.floor) / scale < 1e-3:
             break
     effective = null.covariance(covariances)
     field = adjusted(stable.astype(np.float64), effective)
     others = field.at(points).without(displacements, effective, stable.astype(np.float64))
-    resting = stable & ~suspects
     known = ControlScale(size=1.0, factor=1.0, degrees=degrees, bends=0.0)
     if controlled:
-        known = scale_of_control(control, points[resting], displacements[resting], effective[resting], null, degrees)
+        known = scale_of_control(control, points[stable], displacements[stable], effective[stable], null, degrees)
     control = replace(control, covariance=control.covariance * known.size)
     congruence = _summary(displacements, effective, points, stable, null, others, control.at(points), known)
     weights = np.asarray(np.linalg.inv(effective[stable]), dtype=np.float64)

@@ -123,30 +123,70 @@ def moved_stretches(
     least_gain
         Gain up to which a bend is none, and nothing is looked for.
     """
-    model, gain = bend_of(windows)
-    told: list[tuple[float, float]] = []
+    search = _Search(sample, along, windows, searched, bend_of, step, least_gain)
     for asked, most in ((SEEN, MOST_TRIES), (DOUBTED, 1)):
         for _ in range(MOST_TRIES):
-            if model is None or gain <= least_gain or len(told) >= most:
-                break
-            doubt = clearest_jump(sample, searched, along, model, step, asked)
+            doubt = search.in_doubt(asked) if len(search.told) < most else None
             if doubt is None:
                 break
-            smooth, _ = bend_of(outside(sample, windows, along, doubt))
-            jump = clearest_jump(sample, searched, along, smooth or model, step, CERTAIN.along(float(np.ptp(along))))
-            if jump is None or not jump.overlaps(doubt):
-                # it is a bend, and the next in doubt is asked for
-                searched = outside(sample, searched, along, doubt)
-                continue
-            told.append((jump.low, jump.high))
-            windows, searched = (outside(sample, part, along, jump) for part in (windows, searched))
-            model, gain = bend_of(windows)
-    return MovedStretches(stretches=tuple(told), windows=windows, model=model, gain=gain)
+            search.tell(doubt)
+    stretches = tuple((jump.low, jump.high) for jump in search.told)
+    return MovedStretches(stretches=stretches, windows=search.apart(windows, search.told), model=search.model, gain=search.gain)
 
 
-def outside(sample: ShiftSample, windows: Sequence[IntArray], along: FloatArray, jump: Jump) -> list[IntArray]:
-    """Windows without the cells of a stretch; targets stay."""
-    inside = (along >= jump.low) & (along <= jump.high) & ~sample.fixed
+class _Search:
+    """Stretches told so far, and the bend of all cells outside them."""
+
+    def __init__(
+        self, sample: ShiftSample, along: FloatArray, windows: list[IntArray], searched: list[IntArray], bend_of: BendOf, step: float,
+        least_gain: float,
+    ) -> None:  # fmt: skip
+        self.sample, self.along, self.windows, self.searched = sample, along, windows, searched
+        self.bend_of, self.step, self.least_gain = bend_of, step, least_gain
+        self.certain = CERTAIN.along(float(np.ptp(along)))
+        self.told: list[Jump] = []
+        self.model, self.gain = bend_of(windows)
+
+    def apart(self, parts: Sequence[IntArray], jumps: Sequence[Jump]) -> list[IntArray]:
+        """Windows without some stretches, whose ends are known to half a step: what is left of one there would pass for another."""
+        return outside(self.sample, parts, self.along, [replace(j, low=j.low - self.step / 2, high=j.high + self.step / 2) for j in jumps])
+
+    def in_doubt(self, asked: Evidence) -> Jump | None:
+        """Clearest stretch by the bend that all cells show; None where there is none, or no bend."""
+        if self.model is None or self.gain <= self.least_gain:
+            return None
+        return clearest_jump(self.sample, self.apart(self.searched, self.told), self.along, self.model, self.step, asked)
+
+    def tell(self, doubt: Jump) -> None:
+        """Take a stretch in doubt, as the bend of all others shows it, for one that moved, or leave it out of the search."""
+        smooth, _ = self.bend_of(outside(self.sample, self.apart(self.windows, self.told), self.along, [doubt]))
+        jump = self._certain(doubt, self.told, smooth or self.model)
+        if jump is None:
+            # it is a bend, and the next in doubt is asked for
+            self.searched = outside(self.sample, self.searched, self.along, [doubt])
+            return
+        earlier = tuple(self.told)
+        self.told.append(jump)
+        self.model, self.gain = self.bend_of(self.apart(self.windows, self.told))
+        for other in earlier:
+            # it may have been told against what moved
+            if self._certain(other, [known for known in self.told if known is not other], self.model) is None:
+                self.told.remove(other)
+                self.model, self.gain = self.bend_of(self.apart(self.windows, self.told))
+
+    def _certain(self, doubt: Jump, told: Sequence[Jump], model: FieldModel | None) -> Jump | None:
+        """What a bend that does not know it shows of a stretch, outside others that were told."""
+        if model is None:
+            return None
+        jump = clearest_jump(self.sample, self.apart(self.searched, told), self.along, model, self.step, self.certain)
+        return jump if jump is not None and jump.overlaps(doubt) else None
+
+
+def outside(sample: ShiftSample, windows: Sequence[IntArray], along: FloatArray, jumps: Sequence[Jump]) -> list[IntArray]:
+    """Windows without the cells of some stretches; targets stay."""
+    inside = np.zeros(len(along), dtype=bool)
+    for jump in jumps:
+        inside |= (along >= jump.low) & (along <= jump.high) & ~sample.fixed
     return [window[~inside[window]] for window in windows]
 
 

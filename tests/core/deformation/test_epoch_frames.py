@@ -132,6 +132,27 @@ def test_a_slide_that_a_bend_of_all_cells_hides_is_told(seed: int, low: float) -
     assert jumped[~sliding].mean() < 0.1
 
 
+@pytest.mark.parametrize(("seed", "low"), [(3001, 24.0), (3003, 9.0)])
+def test_units_that_slid_do_not_vouch_for_each_other(seed: int, low: float) -> None:
+    """A third of a short coast slid: its units agree with each other, and by them alone they would rest."""
+    coast = bent_coast(seed, length=60.0, slide=(low, low + 24.0), station=24.0, unit_sd=0.0008, target_sd=0.003)
+    result, stable, _ = judged(coast)
+    assert not result.stable[coast.sliding].any()
+    assert np.mean(result.p_values[coast.sliding] < 0.05) > 0.95
+    assert np.mean(result.p_values[coast.resting] < 0.05) < 0.08
+    assert 0.7 < np.mean(squares(coast, result, stable)) < 1.4
+
+
+@pytest.mark.parametrize(("seed", "low"), [(3000, 27.0), (3002, 10.0)])
+def test_what_rests_beside_a_slide_is_not_told_as_another(seed: int, low: float) -> None:
+    coast = bent_coast(seed, length=60.0, slide=(low, low + 24.0), station=24.0, unit_sd=0.0008, target_sd=0.003)
+    frames = frames_of(coast)
+    assert frames is not None
+    jumped = frames.jumped(0, 1, coast.places)
+    assert jumped[coast.sliding].mean() > 0.8
+    assert jumped[~coast.sliding].mean() < 0.1
+
+
 @pytest.mark.parametrize("seed", [5000, 5001])
 def test_a_body_that_moved_by_itself_is_no_stretch_of_a_long_coast(seed: int) -> None:
     frames = frames_of(bent_coast(seed, length=830.0, density=1.8, station=70.0))
