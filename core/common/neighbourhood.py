@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from .arrays import FloatArray, IntArray
+from .arrays import FloatArray, IntArray, corners
 from .kernels import kernel
 
 
@@ -52,8 +52,8 @@ def point_tree(points: FloatArray) -> cKDTree:
 
 def build_grid(points: FloatArray, cell: float, most_cells: int = 20_000_000) -> Grid:
     """Grid of (n, 3) points; cells grow where the extent would need more than ``most_cells`` of them."""
-    origin = points.min(axis=0)
-    extent = points.max(axis=0) - origin
+    origin, high = corners(points)
+    extent = high - origin
     while np.prod(np.floor(extent / cell) + 1) > most_cells:
         cell *= 1.5
     size = (np.floor(extent / cell) + 1).astype(np.int64)

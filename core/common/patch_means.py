@@ -29,6 +29,9 @@ FEW = 0.25
 left over between other patches, and noisier than others."""
 FEWEST_FOR_NOISE = 50
 """Patches that tell of the noise."""
+SEED = np.dtype([("e", np.float64), ("n", np.float64), ("h", np.float64), ("before", np.int32), ("source", np.uint16)], align=True)
+"""Of a patch: its seed in metres, the earlier patch of the same voxel or -1, and the source of its points; half a line of the processor's
+cache, as most of the time goes into waiting for these."""
 _FEWEST_ROWS = 1 << 15
 _PATCHES, _VOXELS, _SUMS = range(3)
 
@@ -44,8 +47,8 @@ class Patches(NamedTuple):
         Hash table of a power of two: row of a voxel, or -1.
     voxels
         (v, 4) whole numbers: place of a voxel, whose edge is two radii, along three axes; and its latest patch.
-    seeds, sources, before
-        (p, 3) metres, (p,) source of the points, (p,) earlier patch of the same voxel or -1.
+    seeds
+        (p,) ``SEED``.
     open
         (p, 10) number of the points of the sum under way; sums of their coordinates from the seed; of their products xx, xy, xz, yy, yz,
         zz.
@@ -60,9 +63,7 @@ class Patches(NamedTuple):
     used: NDArray[np.int64]
     slots: NDArray[np.int32]
     voxels: NDArray[np.int32]
-    seeds: FloatArray
-    sources: NDArray[np.uint16]
-    before: NDArray[np.int32]
+    seeds: NDArray[np.void]
     open: FloatArray
     since: FloatArray
     steady: BoolArray
@@ -153,7 +154,7 @@ class PatchMeans:
         sums = _Sums(sums.table[enough], sums.owner[enough], sums.times[enough])
         usual = max(float(np.average(points, weights=points)) / MEANS_PER_PATCH, 1.5 * SOME) if self.count else 1.0
         xyz, counts, spread, earliest, patch, _ = self._formed(sums, points, np.maximum(np.rint(points / usual), 1.0))
-        return Means(xyz=xyz, counts=counts, spread=spread, sources=self._patches.sources[patch], times=earliest)
+        return Means(xyz=xyz, counts=counts, spread=spread, sources=self._patches.seeds["source"][patch], times=earliest)
 
     def _sums(self) -> _Sums:
         """All sums, those under way too, in the order of their patches."""
@@ -180,9 +181,7 @@ def _empty(rows: int, sums: int) -> Patches:
         used=np.zeros(3, dtype=np.int64),
         slots=np.full(2 * rows, -1, dtype=np.int32),
         voxels=np.empty((rows, 4), dtype=np.int32),
-        seeds=np.empty((rows, 3)),
-        sources=np.empty(rows, dtype=np.uint16),
-        before=np.empty(rows, dtype=np.int32),
+        seeds=np.empty(rows, dtype=SEED),
         open=np.empty((rows, 10)),
         since=np.empty(rows),
         steady=np.empty(rows, dtype=np.bool_),
@@ -218,22 +217,28 @@ def _find_slots(patches: Any) -> None:
 @njit(**COMPILED | {"inline": "always"})
 def _nearest_patch(px, py, pz, source, radius, patches):  # type: ignore[no-untyped-def]
     """Patch of a source with the seed nearest to a point, or -1 where all are farther than the radius."""
-    per_edge = 0.5 / radius
-    gx, gy, gz = px * per_edge - 0.5, py * per_edge - 0.5, pz * per_edge - 0.5
-    # the eight voxels that the radius reaches
-    x, y, z = math.floor(gx), math.floor(gy), math.floor(gz)
+    edge = 2.0 * radius
+    x, y, z = math.floor(px / edge), math.floor(py / edge), math.floor(pz / edge)
+    # of the eight voxels that the radius reaches, those that may hold a seed nearer than the best so far, its own first
+    fx, fy, fz = px - x * edge, py - y * edge, pz - z * edge
+    sx, sy, sz = (1 if fx > radius else -1), (1 if fy > radius else -1), (1 if fz > radius else -1)
+    fx, fy, fz = min(fx, edge - fx), min(fy, edge - fy), min(fz, edge - fz)
     best, nearest = -1, radius * radius
     for h in range(8):
-        row = patches.slots[_slot(patches.slots, patches.voxels, x + (h >> 2), y + (h >> 1 & 1), z + (h & 1))]
+        ox, oy, oz = h >> 2, h >> 1 & 1, h & 1
+        if ox * fx * fx + oy * fy * fy + oz * fz * fz > nearest:
+            continue
+        row = patches.slots[_slot(patches.slots, patches.voxels, x + ox * sx, y + oy * sy, z + oz * sz)]
         if row < 0:
             continue
         k = patches.voxels[row, 3]
         while k >= 0:
-            dx, dy, dz = px - patches.seeds[k, 0], py - patches.seeds[k, 1], pz - patches.seeds[k, 2]
+            seed = patches.seeds[k]
+            dx, dy, dz = px - seed.e, py - seed.n, pz - seed.h
             square = dx * dx + dy * dy + dz * dz
-            if square < nearest and patches.sources[k] == source:
+            if square < nearest and seed.source == source:
                 best, nearest = k, square
-            k = patches.before[k]
+            k = seed.before
     return best
 
 
@@ -255,11 +260,12 @@ def _add(points: Any, sources: Any, times: Any, radius: Any, patches: Any) -> No
                 used[_VOXELS] += 1
                 patches.slots[place] = row
                 patches.voxels[row, 0], patches.voxels[row, 1], patches.voxels[row, 2], patches.voxels[row, 3] = x, y, z, -1
-            patches.seeds[k, 0], patches.seeds[k, 1], patches.seeds[k, 2] = px, py, pz
-            patches.sources[k], patches.before[k] = sources[i], patches.voxels[row, 3]
+            new = patches.seeds[k]
+            new.e, new.n, new.h, new.source, new.before = px, py, pz, sources[i], patches.voxels[row, 3]
             patches.voxels[row, 3] = k
             sums[k], patches.steady[k] = 0.0, False
-        dx, dy, dz = px - patches.seeds[k, 0], py - patches.seeds[k, 1], pz - patches.seeds[k, 2]
+        seed = patches.seeds[k]
+        dx, dy, dz = px - seed.e, py - seed.n, pz - seed.h
         since[k] = times[i] if sums[k, 0] == 0.0 else min(since[k], times[i])
         sums[k, 0] += 1.0
         sums[k, 1] += dx
@@ -273,7 +279,7 @@ def _add(points: Any, sources: Any, times: Any, radius: Any, patches: Any) -> No
         sums[k, 9] += dz * dz
         if sums[k, 0] == SOME:
             if not patches.steady[k]:
-                _move_seed(patches.seeds, sums, k, 2.0 * radius)
+                _move_seed(seed, sums, k, 2.0 * radius)
                 patches.steady[k] = True
             last = used[_SUMS]
             used[_SUMS] += 1
@@ -284,14 +290,16 @@ def _add(points: Any, sources: Any, times: Any, radius: Any, patches: Any) -> No
 
 
 @njit(**COMPILED | {"inline": "always"})
-def _move_seed(seeds, sums, k, edge):  # type: ignore[no-untyped-def]
+def _move_seed(seed, sums, k, edge):  # type: ignore[no-untyped-def]
     """Put a seed into the mean of its first points, whose noise is less, as far as its voxel goes; their sums are then from there."""
     c, m0, m1, m2 = sums[k, 0], sums[k, 1], sums[k, 2], sums[k, 3]
-    steps = (_step(seeds[k, 0], m0 / c, edge), _step(seeds[k, 1], m1 / c, edge), _step(seeds[k, 2], m2 / c, edge))
-    d0, d1, d2 = steps
-    for a in range(3):
-        seeds[k, a] += steps[a]
-        sums[k, 1 + a] -= c * steps[a]
+    d0, d1, d2 = _step(seed.e, m0 / c, edge), _step(seed.n, m1 / c, edge), _step(seed.h, m2 / c, edge)
+    seed.e += d0
+    seed.n += d1
+    seed.h += d2
+    sums[k, 1] -= c * d0
+    sums[k, 2] -= c * d1
+    sums[k, 3] -= c * d2
     sums[k, 4] += c * d0 * d0 - 2.0 * d0 * m0
     sums[k, 5] += c * d0 * d1 - d0 * m1 - d1 * m0
     sums[k, 6] += c * d0 * d2 - d0 * m2 - d2 * m0
@@ -310,20 +318,22 @@ def _step(place, wanted, edge):  # type: ignore[no-untyped-def]
 @kernel()
 def _enough(patches: Any, points: Any, radius: Any) -> Any:
     """(p,) patches that do not have far fewer points than another of their source whose seed is within two radii."""
-    seeds, sources = patches.seeds, patches.sources
+    seeds = patches.seeds
     enough = np.ones(len(points), dtype=np.bool_)
     per_edge = 0.5 / radius
     for k in range(len(points)):
-        x, y, z = math.floor(seeds[k, 0] * per_edge), math.floor(seeds[k, 1] * per_edge), math.floor(seeds[k, 2] * per_edge)
+        one = seeds[k]
+        x, y, z = math.floor(one.e * per_edge), math.floor(one.n * per_edge), math.floor(one.h * per_edge)
         for h in range(27):
             row = patches.slots[_slot(patches.slots, patches.voxels, x + h // 9 - 1, y + h // 3 % 3 - 1, z + h % 3 - 1)]
             j = patches.voxels[row, 3] if row >= 0 else -1
             while j >= 0:
-                dx, dy, dz = seeds[k, 0] - seeds[j, 0], seeds[k, 1] - seeds[j, 1], seeds[k, 2] - seeds[j, 2]
+                other = seeds[j]
+                dx, dy, dz = one.e - other.e, one.n - other.n, one.h - other.h
                 near = dx * dx + dy * dy + dz * dz < 4.0 * radius * radius
-                if near and sources[j] == sources[k] and points[k] < FEW * points[j]:
+                if near and other.source == one.source and points[k] < FEW * points[j]:
                     enough[k] = False
-                j = patches.before[j]
+                j = other.before
     return enough
 
 
@@ -366,7 +376,7 @@ def _means(sums: Any, mean_of: Any, seeds: Any) -> Any:
         c = total[0]
         m0, m1, m2 = total[1] / c, total[2] / c, total[3] / c
         counts[j] = int(c)
-        xyz[j, 0], xyz[j, 1], xyz[j, 2] = seeds[k, 0] + m0, seeds[k, 1] + m1, seeds[k, 2] + m2
+        xyz[j, 0], xyz[j, 1], xyz[j, 2] = seeds[k].e + m0, seeds[k].n + m1, seeds[k].h + m2
         xx, xy, xz = total[4] / c - m0 * m0, total[5] / c - m0 * m1, total[6] / c - m0 * m2
         yy, yz, zz = total[7] / c - m1 * m1, total[8] / c - m1 * m2, total[9] / c - m2 * m2
         across[j] = _smallest_variance(xx, xy, xz, yy, yz, zz)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .arrays import FloatArray, IntArray
+from .arrays import FloatArray, IntArray, corners
 
 
 def thin(points: FloatArray, voxel: float) -> tuple[FloatArray, IntArray]:
@@ -12,8 +12,9 @@ def thin(points: FloatArray, voxel: float) -> tuple[FloatArray, IntArray]:
     if not len(points):
         return np.zeros((0, 3)), np.zeros(0, dtype=np.int64)
     key = np.floor(points / voxel).astype(np.int64)
-    key -= key.min(axis=0)
-    size = key.max(axis=0) + 1
+    low, high = corners(key)
+    key -= low
+    size = high - low + 1
     flat = (key[:, 0] * size[1] + key[:, 1]) * size[2] + key[:, 2]
     _, source = np.unique(flat, return_inverse=True)
     weight = np.bincount(source)

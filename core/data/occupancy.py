@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.arrays import BoolArray, FloatArray, IntArray, corners
 
 MOST_CELLS = 200_000
 """Cells kept of one tile; with more of them, cells are made coarser."""
@@ -163,11 +163,17 @@ def _merged(level: int, cells: IntArray, counts: IntArray, heights: FloatArray) 
     """Cells each once, in order, with counts and heights added up."""
     if not len(cells):
         return Occupancy.empty(level)
-    low = cells.min(axis=0)
-    span = cells.max(axis=0) - low + 1
+    low, high = corners(cells)
+    span = high - low + 1
     place = cells - low
     if float(span[0]) * float(span[1]) * float(span[2]) < 2.0**62:
         key = (place[:, 0] * span[1] + place[:, 1]) * span[2] + place[:, 2]
+        if span.prod() <= len(cells):
+            # nearly every chunk of a tile: a table of the whole box is smaller than what would be sorted
+            counted, summed = np.bincount(key, weights=counts), np.bincount(key, weights=heights)
+            there = np.flatnonzero(np.bincount(key))
+            kept = np.column_stack([there // (span[1] * span[2]), there // span[2] % span[1], there % span[2]]) + low
+            return Occupancy(level, kept, counted[there].astype(np.int64), summed[there].astype(np.float64))
         _, first, member = np.unique(key, return_index=True, return_inverse=True)
         kept = cells[first]
     else:

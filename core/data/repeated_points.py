@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.arrays import BoolArray, FloatArray, IntArray, corners
 
 
 def by_place(xyz: FloatArray, source_id: NDArray[np.uint16], gps_time: FloatArray) -> IntArray:
@@ -41,7 +41,7 @@ def second_copies(
         return again
     reach = 1.02 * resolution + 1e-9
     parts = [slice(*np.searchsorted(tile, (k, k + 1))) for k in numbers]
-    boxes = [(xyz[part].min(axis=0) - reach, xyz[part].max(axis=0) + reach) for part in parts]
+    boxes = [(low - reach, high + reach) for low, high in (corners(xyz[part]) for part in parts)]
     shared = np.zeros(len(xyz), dtype=np.bool_)
     for k, part in enumerate(parts):
         own_low, own_high = boxes[k]

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..common.arrays import BoolArray, FloatArray
+from ..common.arrays import BoolArray, FloatArray, corners
 from ..common.errors import Cancelled, InputError
 from ..common.patch_means import Means
 from . import scan_cache, thinned_clouds
@@ -64,7 +64,8 @@ def looked_through(
             xyz = positions(chunk, header.path)
             if not len(xyz):
                 continue
-            extents[0], extents[1] = np.minimum(extents[0], xyz.min(axis=0)), np.minimum(extents[1], -xyz.max(axis=0))
+            low, high = corners(xyz)
+            extents[0], extents[1] = np.minimum(extents[0], low), np.minimum(extents[1], -high)
             keep = usable(chunk)
             sources, seconds = point_records(chunk, header, keep)
             occurs[sources] = True
@@ -78,7 +79,8 @@ def looked_through(
                 finite = np.isfinite(used).all(axis=1)
                 used, sources, seconds = used[finite], sources[finite], seconds[finite]
             if len(used):
-                extents[2], extents[3] = np.minimum(extents[2], used.min(axis=0)), np.minimum(extents[3], -used.max(axis=0))
+                low, high = (low, high) if used is xyz else corners(used)
+                extents[2], extents[3] = np.minimum(extents[2], low), np.minimum(extents[3], -high)
                 parts = [merged([*parts, Occupancy.of(used, level)]).bounded()]
                 thinning.add(used, sources, np.nan_to_num(seconds))
     scan = Scan(extents[0], -extents[1], extents[2], -extents[3], parts[0], times, np.flatnonzero(occurs))

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import prange
 
-from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.arrays import BoolArray, FloatArray, IntArray, corners
 from ..common.kernels import kernel
 from ..common.neighbourhood import gather
 from ..common.positive_definite import factorise, solve_factorised
@@ -102,12 +102,14 @@ def spread(points: FloatArray, candidates: IntArray, spacing: float) -> IntArray
     """One of the candidate indices for every occupied voxel of an edge of ``spacing`` metres: the one nearest the voxel's mean."""
     if not len(candidates):
         return candidates
-    key = np.floor((points[candidates] - points[candidates].min(axis=0)) / spacing).astype(np.int64)
-    size = key.max(axis=0) + 1
+    places = points[candidates]
+    low, high = corners(places)
+    key = np.floor((places - low) / spacing).astype(np.int64)
+    size = np.floor((high - low) / spacing).astype(np.int64) + 1
     flat = (key[:, 0] * size[1] + key[:, 1]) * size[2] + key[:, 2]
     _, voxel, count = np.unique(flat, return_inverse=True, return_counts=True)
-    mean = np.column_stack([np.bincount(voxel, weights=points[candidates, k]) for k in range(3)]) / count[:, None]
-    away = np.sum((points[candidates] - mean[voxel]) ** 2, axis=1)
+    mean = np.column_stack([np.bincount(voxel, weights=places[:, k]) for k in range(3)]) / count[:, None]
+    away = np.sum((places - mean[voxel]) ** 2, axis=1)
     order = np.lexsort((away, voxel))
     first = np.concatenate([[0], np.cumsum(count)[:-1]])
     return np.asarray(candidates[order[first]])
