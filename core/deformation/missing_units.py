@@ -22,6 +22,7 @@ from ..segmentation.pose_score import SPARSE_RATIO, SURE_ALONE
 from ..segmentation.second_look import SecondLook, second_look
 from ..segmentation.segment import FOUND_SCORE, MOST_IN_NOISE
 from ..segmentation.surface_elements import surface_noise
+from ..segmentation.unit_size import point_spacing
 from ..segmentation.verification import MOST_OVERLAP, overlap
 from .fitted_unit import FittedUnit
 from .identity import CONFIRM_MOVE_HEIGHTS, CONFIRM_TURN, nearest_labels
@@ -372,7 +373,7 @@ def _is_sparse(owners: Sequence[FittedUnit], points: FloatArray, height: float) 
     """
     held = max((owner.cloud.read()[0] for owner in owners), key=len, default=points)
     seen = held if len(held) > 1 else points
-    return len(seen) > 1 and float(np.median(cKDTree(seen).query(seen, k=2)[0][:, 1])) > SPARSE_RATIO * height
+    return len(seen) > 1 and point_spacing(seen) > SPARSE_RATIO * height
 
 
 def _joint_score(known: FittedUnit, pose: Pose, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool) -> float:

@@ -320,7 +320,11 @@ def fit_epochs(
 
 
 def _solid(epoch: EpochUnits) -> EpochUnits:
-    """The epoch with units uncertain that their adjustment moved into a stronger one."""
+    """The epoch with units uncertain that their adjustment moved into a stronger one, in noise no farther than elsewhere.
+
+    Segmentation, which judges poses by smoothed elements there, allows twice as much. Of 236 units adjusted to their points at 3.3 % of H
+    (two unseen piles) two enter a stronger one by more than 1 % of its volume: one by more than 3 %, and one 0.43 m off by 1.5 %.
+    """
     status = np.array(epoch.table["status"])
     found = np.flatnonzero(status == "found")
     poses = reduced(epoch.table["poses"][found])
