@@ -132,7 +132,7 @@ class CoastSimulation(Simulation):
         plan, reach = self.plan, round(self.seen.half_length / self.core) // 2
         near = range(max(k - reach, 0), min(k + reach + 1, self.count))
         units = tuple(_shifted(u, self._middle(m) - self._middle(k)) for m in near for u in now[m])
-        scene = Scene(units, self.unit, self.seen, self._surfaces(), plan.seed, core=self.core, along=self._middle(k))
+        scene = Scene(units, self.unit, self.seen, self._surfaces(), plan.seed, core=self.core, along=self._middle(k), epoch=epoch)
         lines = plan.instrument == "uav"
         # lines run through all stretches, tripods stand anew in each
         views = np.random.default_rng([plan.seed, 3, epoch, *(() if lines else (k,))])

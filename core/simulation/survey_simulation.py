@@ -89,7 +89,7 @@ class Simulation:
                 ground = self.site or TABLE_GROUND
                 pile, gone = change(pile, self.unit, ground, self._changes(len(pile)), rng, next_number=next_number, planar=plan.laboratory)
                 next_number = max([next_number, *(u.number + 1 for u in pile)])
-            scene = Scene(pile, self.unit, self.site, self._surfaces(), plan.seed)
+            scene = Scene(pile, self.unit, self.site, self._surfaces(), plan.seed, epoch=k)
             cloud = self._scanned(scene, rng, self.instrument.offset, k, rng)
             seen = self._record_units(pile, gone, cloud, time)
             if k == 0:

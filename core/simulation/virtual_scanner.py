@@ -189,7 +189,9 @@ def survey_photogrammetry(
     cloud = cloud.chosen(_thin(cloud.points, cell, rng))
     n = len(cloud.points)
     places = cloud.points + np.array([scene.along, 0.0, 0.0])
-    errors = np.column_stack([smooth_field(places, np.random.default_rng([scene.seed, 5, k]), 0.12 * h, 0.8 * h) for k in range(3)])
+    # other images of another day err otherwise, stretches of one block of images alike
+    drawn = [np.random.default_rng([scene.seed, 5, scene.epoch, k]) for k in range(3)]
+    errors = np.column_stack([smooth_field(places, of_axis, 0.12 * h, 0.8 * h) for of_axis in drawn])
     points = cloud.points + noise * errors * [0.6, 0.6, 1] + rng.normal(0, 0.5 * noise, (n, 3))
     cloud = replace(cloud, points=points, source=np.ones(n, dtype=np.int64), time=np.zeros(n))
     return _with_strays(scene, cloud, rng, 2e-4)

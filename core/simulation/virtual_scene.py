@@ -66,8 +66,11 @@ class Scene:
         rough_rock: bool = True,
         core: float | None = None,
         along: float = 0.0,
+        epoch: int = 0,
     ) -> None:
         """``site`` None is a laboratory table with a board. The relief of a unit depends on ``seed`` and its number only.
+
+        ``epoch`` counts the surveys of one pile: what images make of a surface is drawn anew in each.
 
         Of a coast in stretches, ``core`` is half the length (m) of the stretch that is surveyed, among neighbours up to the site's half
         length, and ``along`` where its middle lies on the coast.
@@ -80,6 +83,7 @@ class Scene:
         self.site = site
         self.core = core if core is not None or site is None else site.half_length
         self.along = along
+        self.epoch = epoch
         self.surfaces = surfaces
         self.seed = seed
         self._scene: Any = open3d.t.geometry.RaycastingScene()

@@ -14,6 +14,8 @@ pytest.importorskip("open3d")
 pytest.importorskip("mujoco")
 
 import laspy
+from scipy.spatial import cKDTree
+from tetratrack.core.common.arrays import FloatArray
 from tetratrack.core.data.point_tables import read_control, read_targets
 from tetratrack.core.data.survey import Survey
 from tetratrack.core.data.survey_reader import read_survey
@@ -26,6 +28,8 @@ from tetratrack.core.registration.control import register
 from tetratrack.core.simulation.armour_pile import Changes, Site, deepest_overlap, settle
 from tetratrack.core.simulation.survey_plan import SimulationPlan
 from tetratrack.core.simulation.virtual_instruments import INSTRUMENTS, SENSOR_FILES
+from tetratrack.core.simulation.virtual_scanner import survey_photogrammetry
+from tetratrack.core.simulation.virtual_scene import Scene, Surfaces
 from tetratrack.core.simulation.virtual_survey import simulate_survey
 
 PLANS = {
@@ -169,6 +173,32 @@ def test_a_coast_without_units_has_no_unit_points(tmp_path: Path) -> None:
     assert {-1, -3} <= set(values.tolist())
     assert values.max() < 0
     assert rows(folder / "truth" / "units.csv") == []
+
+
+def test_images_of_another_epoch_err_otherwise() -> None:
+    """What dense matching makes of a unit at rest does not come again with the next images: displacements hold the errors of both."""
+    unit, site = UnitType.tetrapod(2.0), Site.of_height(2.0, 3, parapet=True)
+    pile = settle(unit, site, 3, np.random.default_rng(8))
+    smooth = Surfaces(roughness=0.0, fillet=0.0, chamfer=0.0, growth=0.0)
+
+    def errors(epoch: int, seed: int) -> tuple[cKDTree, FloatArray]:
+        scene = Scene(pile, unit, site, smooth, seed=8, epoch=epoch)
+        cloud = survey_photogrammetry(scene, np.random.default_rng(seed), density=250, noise=0.007, offset=0.0)
+        points = [u.pose.to_body(cloud.points[cloud.labels == u.number]) for u in pile]
+        distances = np.concatenate([relate(p, u.shape(unit)).distance for u, p in zip(pile, points, strict=True)])
+        return cKDTree(np.vstack([u.pose.to_frame(p) for u, p in zip(pile, points, strict=True)])), distances
+
+    first, one = errors(0, seed=1)
+
+    def likeness(epoch: int, seed: int) -> float:
+        tree, there = errors(epoch, seed)
+        apart, nearest = tree.query(first.data)
+        near = (apart < 0.05) & (np.abs(one) < 0.03) & (np.abs(there[nearest]) < 0.03)
+        assert near.sum() > 500
+        return float(np.corrcoef(one[near], there[nearest[near]])[0, 1])
+
+    assert likeness(0, seed=2) > 0.5
+    assert abs(likeness(1, seed=2)) < 0.25
 
 
 def test_a_settled_pile_rests_on_rock_without_interpenetration() -> None:
