@@ -27,17 +27,21 @@ class Step(NamedTuple):
 
 
 @kernel()
-def _turned(rotation: Any, vector: Any) -> Any:
-    """rotation @ exp([vector]x), by Rodrigues' formula."""
-    x, y, z = vector[0], vector[1], vector[2]
+def _turn(rotation: Any, x: float, y: float, z: float) -> None:
+    """rotation @ exp([(x, y, z)]x) in place, by Rodrigues' formula."""
     angle = math.sqrt(x * x + y * y + z * z)
     # sin(a)/a and (1 - cos a)/a^2 without loss of digits for small angles
     first = math.sin(angle) / angle if angle > 1e-6 else 1.0 - angle * angle / 6.0
     half = math.sin(0.5 * angle) / (0.5 * angle) if angle > 1e-6 else 1.0 - angle * angle / 24.0
     second = 0.5 * half * half
-    cross = np.array(((0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0)))
-    turn = np.eye(3) + first * cross + second * (cross @ cross)
-    return rotation @ turn
+    t00, t01, t02 = 1.0 - second * (y * y + z * z), second * x * y - first * z, second * x * z + first * y
+    t10, t11, t12 = second * x * y + first * z, 1.0 - second * (x * x + z * z), second * y * z - first * x
+    t20, t21, t22 = second * x * z - first * y, second * y * z + first * x, 1.0 - second * (x * x + y * y)
+    for a in range(3):
+        r0, r1, r2 = rotation[a, 0], rotation[a, 1], rotation[a, 2]
+        rotation[a, 0] = r0 * t00 + r1 * t10 + r2 * t20
+        rotation[a, 1] = r0 * t01 + r1 * t11 + r2 * t21
+        rotation[a, 2] = r0 * t02 + r1 * t12 + r2 * t22
 
 
 @kernel()
@@ -50,8 +54,13 @@ def _step(normal: Any, rhs: Any, free: Any, prior: Any, state: Any, change: Any)
     """
     nominal, prior_weights, scaling = prior.nominal, prior.weights, prior.scaling
     centre, rotation, shape, leg_errors = state.centre, state.rotation, state.shape, state.leg_errors
-    chosen = np.flatnonzero(free)
-    m = len(chosen)
+    chosen = np.empty(12, dtype=np.int64)
+    m = 0
+    for p in range(12):
+        change[p] = 0.0
+        if free[p]:
+            chosen[m] = p
+            m += 1
     factor = np.zeros((m, m))
     along, inner = np.zeros(m), np.zeros(m)
     for a in range(m):
@@ -74,7 +83,6 @@ def _step(normal: Any, rhs: Any, free: Any, prior: Any, state: Any, change: Any)
     gain = 0.0
     for a in range(m - 1, -1, -1):
         gain += along[a] * inner[a]
-    change[:] = 0.0
     for a in range(m):
         change[chosen[a]] = scaling[chosen[a]] * inner[a]
     longest = max(
@@ -84,17 +92,16 @@ def _step(normal: Any, rhs: Any, free: Any, prior: Any, state: Any, change: Any)
         abs(change[7]) / 0.05,
         1.0,
     )
-    change /= longest
-    centre += rotation @ change[:3]
-    turned = _turned(rotation, change[3:6])
+    for p in range(12):
+        change[p] /= longest
     for a in range(3):
-        for b in range(3):
-            rotation[a, b] = turned[a, b]
-    shape += change[6:8]
+        centre[a] += rotation[a, 0] * change[0] + rotation[a, 1] * change[1] + rotation[a, 2] * change[2]
+    _turn(rotation, change[3], change[4], change[5])
     # a cone that closes before the end of its leg has no meaning
-    shape[0] = max(shape[0], 0.2 * nominal[0])
-    shape[1] = min(max(shape[1], 0.0), 0.95 * shape[0] / prior.leg_length)
-    leg_errors += change[8:]
+    shape[0] = max(shape[0] + change[6], 0.2 * nominal[0])
+    shape[1] = min(max(shape[1] + change[7], 0.0), 0.95 * shape[0] / prior.leg_length)
+    for k in range(4):
+        leg_errors[k] += change[8 + k]
     return gain
 
 

@@ -12,8 +12,18 @@ import numpy as np
 from ..common.arrays import FloatArray
 from ..common.kernels import compiled_for, kernel
 from .condition_records import PointStates, Solid
-from .contested_points import to_body
+from .contested_points import to_body, turned_covariance
 from .normal_sums import add_outer
+
+
+@kernel()
+def _form(matrix: Any, first: Any, second: Any) -> float:
+    """The bilinear form of a (3, 3) matrix and two vectors."""
+    total = 0.0
+    for a in range(3):
+        for b in range(3):
+            total += first[a] * matrix[a, b] * second[b]
+    return total
 
 
 @kernel()
@@ -30,7 +40,7 @@ def _row_excess(points: Any, solid: Any, cov: Any, stride: Any, out: Any) -> Non
     c = solid.shape[1]
     cosine = 1.0 / math.sqrt(1.0 + c * c)
     has_cov = cov.shape[0] == feet.shape[0]
-    shift, turn = np.zeros(12), np.zeros(12)
+    shift, turn, body_cov = np.zeros(12), np.zeros(12), np.zeros((3, 3))
     taken = all_weight = 0.0
     for i in range(feet.shape[0]):
         all_weight += weights[i]
@@ -46,14 +56,14 @@ def _row_excess(points: Any, solid: Any, cov: Any, stride: Any, out: Any) -> Non
         lateral = parts[i] == 0
         along_t = along_g = 1.0
         if has_cov:
-            n, g, t = np.array((ax, ay, az)), np.array((ux, uy, uz)), np.array((tx, ty, tz))
+            normal, along = (ax, ay, az), (ux, uy, uz)
             if lateral:
-                n, g = (g + c * n) * cosine, (n - c * g) * cosine
-            body_cov = rotation.T @ cov[i] @ rotation
-            spread = body_cov @ n
-            variance = n @ spread
-            along_t = t @ (body_cov @ t) - (t @ spread) ** 2 / variance
-            along_g = g @ (body_cov @ g) - (g @ spread) ** 2 / variance
+                normal = ((ux + c * ax) * cosine, (uy + c * ay) * cosine, (uz + c * az) * cosine)
+                along = ((ax - c * ux) * cosine, (ay - c * uy) * cosine, (az - c * uz) * cosine)
+            turned_covariance(cov, i, rotation, body_cov)
+            variance = _form(body_cov, normal, normal)
+            along_t = _form(body_cov, (tx, ty, tz), (tx, ty, tz)) - _form(body_cov, (tx, ty, tz), normal) ** 2 / variance
+            along_g = _form(body_cov, along, along) - _form(body_cov, along, normal) ** 2 / variance
         p = weights[i] / (sds[i] * sds[i])
         shift[3], shift[4], shift[5] = -tx, -ty, -tz
         arm = 1.0
@@ -66,7 +76,9 @@ def _row_excess(points: Any, solid: Any, cov: Any, stride: Any, out: Any) -> Non
         turn[3], turn[4], turn[5] = arm * ux, arm * uy, arm * uz
         add_outer(out, shift, p * along_g, 0)
         add_outer(out, turn, p * along_t, 0)
-    out *= all_weight / max(taken, 1.0)
+    for a in range(12):
+        for b in range(12):
+            out[a, b] *= all_weight / max(taken, 1.0)
 
 
 def row_excess(points: PointStates, solid: Solid, cov: FloatArray, stride: int) -> FloatArray:
@@ -88,7 +100,9 @@ def _clear_counts(xyz: Any, solid: Any, points: Any, scale: Any, enough: Any) ->
     axes, opened = solid.legs.directions, solid.opened
     sds, weights, legs = points.sds, points.weights, points.legs
     counts = np.zeros(4)
-    lacking = np.sum(opened)
+    lacking = 0
+    for k in range(4):
+        lacking += opened[k]
     for i in range(xyz.shape[0]):
         if lacking == 0:
             break

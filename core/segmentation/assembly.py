@@ -16,7 +16,7 @@ from ..common.kernels import kernel
 from ..common.neighbourhood import gather
 from ..model.unit_types import UnitType
 from .cone_relation import ConeShape
-from .conic_ransac import Legs
+from .conic_ransac import Legs, across
 from .scene import Scene
 
 ABOUT_AS_GOOD = 0.9
@@ -133,20 +133,16 @@ def _twist_search(starts: Any, points: Any, active: Any, grid: Any, shape: Any, 
     for i in prange(n):
         near = gather(points, active, (centres[i, 0], centres[i, 1], centres[i, 2]), 0.85 * height, grid, np.int64(TWIST_SAMPLE))
         m = len(near)
-        axis = axes[i]
-        help_axis = np.zeros(3)
-        help_axis[0 if abs(axis[0]) < 0.8 else 1] = 1.0
-        e1 = np.cross(axis, help_axis)
-        e1 /= np.sqrt(np.sum(e1 * e1))
-        e2 = np.cross(axis, e1)
+        e30, e31, e32 = axes[i, 0], axes[i, 1], axes[i, 2]
+        e10, e11, e12, e20, e21, e22 = across(e30, e31, e32)
         local = np.empty((3, m))
         for q in range(m):
             d0 = points[near[q], 0] - centres[i, 0]
             d1 = points[near[q], 1] - centres[i, 1]
             d2 = points[near[q], 2] - centres[i, 2]
-            local[0, q] = d0 * e1[0] + d1 * e1[1] + d2 * e1[2]
-            local[1, q] = d0 * e2[0] + d1 * e2[1] + d2 * e2[2]
-            local[2, q] = d0 * axis[0] + d1 * axis[1] + d2 * axis[2]
+            local[0, q] = d0 * e10 + d1 * e11 + d2 * e12
+            local[1, q] = d0 * e20 + d1 * e21 + d2 * e22
+            local[2, q] = d0 * e30 + d1 * e31 + d2 * e32
         steps = max(1, int(np.ceil(reaches[i] / (0.035 * height))))
         best = np.full(2, -1e300)
         best_z = np.zeros(most)
@@ -154,6 +150,7 @@ def _twist_search(starts: Any, points: Any, active: Any, grid: Any, shape: Any, 
         of_twist = np.full(twists, -1e300)
         shift_of_twist = np.zeros(twists)
         turned = np.empty((4, 3))
+        first = 0
         for t in range(twists):
             angle = t * (2.0 * np.pi / 3.0) / twists
             ca = np.cos(angle)
@@ -177,7 +174,7 @@ def _twist_search(starts: Any, points: Any, active: Any, grid: Any, shape: Any, 
                     best[0], best_z[0], best_t[0] = total, shift, angle
                 elif total > best[1] and far > 0.0:
                     best[1], best_z[1], best_t[1] = total, shift, angle
-        first = int(np.argmax(of_twist))
+            first = t if of_twist[t] > of_twist[first] else first
         for w in range(2, most):
             t = (first + (w - 1) * twists // 4) % twists
             best_t[w] = t * (2.0 * np.pi / 3.0) / twists
@@ -188,9 +185,8 @@ def _twist_search(starts: Any, points: Any, active: Any, grid: Any, shape: Any, 
                 continue
             ca = np.cos(best_t[w])
             sa = np.sin(best_t[w])
-            for a in range(3):
-                out[most * i + w, a] = centres[i, a] + best_z[w] * axis[a]
-                out[most * i + w, 3 + 3 * a] = ca * e1[a] + sa * e2[a]
-                out[most * i + w, 4 + 3 * a] = -sa * e1[a] + ca * e2[a]
-                out[most * i + w, 5 + 3 * a] = axis[a]
+            pose = out[most * i + w]
+            for a, (e1, e2, e3) in enumerate(((e10, e20, e30), (e11, e21, e31), (e12, e22, e32))):
+                pose[a] = centres[i, a] + best_z[w] * e3
+                pose[3 + 3 * a], pose[4 + 3 * a], pose[5 + 3 * a] = ca * e1 + sa * e2, ca * e2 - sa * e1, e3
     return out

@@ -116,7 +116,7 @@ def spread(points: FloatArray, candidates: IntArray, spacing: float) -> IntArray
 
 
 @kernel()
-def _across(x: float, y: float, z: float) -> Any:
+def across(x: float, y: float, z: float) -> Any:
     """Two unit vectors that complete a unit vector to a right-handed frame."""
     if abs(x) < 0.8:
         f1, f2, f3 = 0.0, z, -y
@@ -226,7 +226,7 @@ def _fit_cone(near: Any, gradient: float, tolerance: float, cone: Any) -> Any:
     reached = 0
     for sweep in range(SWEEPS):
         ax, ay, az, fx, fy, fz, rho = cone[0], cone[1], cone[2], cone[3], cone[4], cone[5], cone[6]
-        e1x, e1y, e1z, e2x, e2y, e2z = _across(ax, ay, az)
+        e1x, e1y, e1z, e2x, e2y, e2z = across(ax, ay, az)
         limit = tolerance * (2.0 if sweep < 2 else 1.2)
         n00 = n01 = n02 = n03 = n04 = n11 = n12 = n13 = n14 = n22 = n23 = n24 = n33 = n34 = 0.0
         r0 = r1 = r2 = r3 = r4 = 0.0

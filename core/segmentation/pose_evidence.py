@@ -165,7 +165,8 @@ def _evidence_of_one(out: Any, pose: Any, elements: Any, active: Any, grid: Any,
                     ring = int(max(0.0, min(LAST_OF_LEG, (axial - low) / (length - low))) * float(AXIAL_CELLS))
                     cells[CELLS_PER_LEG * leg + AXIAL_CELLS * azimuth + ring] += 1
     # one broken leg end lets the sensor see into the nominal solid: the worst leg's outer part is forgiven
-    out[INSIDE] += outer_inside.sum() - outer_inside.max()
+    worst = max(max(outer_inside[0], outer_inside[1]), max(outer_inside[2], outer_inside[3]))
+    out[INSIDE] += outer_inside[0] + outer_inside[1] + outer_inside[2] + outer_inside[3] - worst
     for k in range(4):
         own = 0
         for c in range(CELLS_PER_LEG):

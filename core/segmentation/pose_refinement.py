@@ -60,7 +60,10 @@ def _refine_one(pose: Any, elements: Any, active: Any, grid: Any, shape: Any, to
             local[a, q] = points[near[q], a] - pose[a]
             local[3 + a, q] = normals[near[q], a]
     centre = np.zeros(3)
-    rot = pose[3:12].copy().reshape(3, 3)
+    rot, turn = np.empty((3, 3)), np.empty((3, 3))
+    for a in range(3):
+        for b in range(3):
+            rot[a, b] = pose[3 + 3 * a + b]
     normal = np.empty((6, 6))
     step = np.empty(6)
     for sweep in range(sweeps):
@@ -82,7 +85,6 @@ def _refine_one(pose: Any, elements: Any, active: Any, grid: Any, shape: Any, to
             k0, k1, k2 = w0 / angle, w1 / angle, w2 / angle
             sa = np.sin(angle)
             ca = 1.0 - np.cos(angle)
-            turn = np.empty((3, 3))
             turn[0, 0] = 1 - ca * (k1 * k1 + k2 * k2)
             turn[0, 1] = -sa * k2 + ca * k0 * k1
             turn[0, 2] = sa * k1 + ca * k0 * k2
@@ -92,7 +94,10 @@ def _refine_one(pose: Any, elements: Any, active: Any, grid: Any, shape: Any, to
             turn[2, 0] = -sa * k1 + ca * k0 * k2
             turn[2, 1] = sa * k0 + ca * k1 * k2
             turn[2, 2] = 1 - ca * (k0 * k0 + k1 * k1)
-            rot = turn @ rot
+            for b in range(3):
+                r0, r1, r2 = rot[0, b], rot[1, b], rot[2, b]
+                for a in range(3):
+                    rot[a, b] = turn[a, 0] * r0 + turn[a, 1] * r1 + turn[a, 2] * r2
         if sweep > 5 and angle < 1e-4 and abs(step[0]) + abs(step[1]) + abs(step[2]) < 1e-4 * height:
             break
     for a in range(3):
