@@ -66,31 +66,47 @@ def contested(points: FloatArray, labels: IntArray, poses: FloatArray, unit: Uni
         relation = relate((points[own] - poses[k, :3]) @ rotation, unit)
         normal = relation.normal @ rotation.T
         foot = points[own] - relation.distance[:, None] * normal
+        image = foot - relation.distance[:, None] * normal
         size = np.abs(relation.distance)
         # a surface that is nearer to an image than the point's own is nearer to the foot than twice as far
         reach = unit.reach + max(clearance, 2 * float(size.max(initial=0.0)))
-        for j in centres.query_ball_point(poses[k, :3], unit.reach + reach):
-            inside = np.flatnonzero(np.sum((foot - poses[j, :3]) ** 2, axis=1) < reach**2)
-            if j == k or not len(inside):
-                continue
-            gap = np.abs(_distances(foot[inside], poses[j], shape))
-            near_another[own[inside[gap < clearance]]] = True
-            # the image is no further from the foot than the point
-            inside = inside[(gap >= clearance) & (gap < 2 * size[inside])]
-            image = foot[inside] - relation.distance[inside, None] * normal[inside]
-            near_another[own[inside[np.abs(_distances(image, poses[j], shape)) < size[inside]]]] = True
+        others = [j for j in centres.query_ball_point(poses[k, :3], unit.reach + reach) if j != k]
+        near_another[own] = _near_others(foot, image, size, poses[others], shape, clearance, reach)
     return near_another
+
+
+@kernel()
+def _near_others(feet: Any, images: Any, sizes: Any, poses: Any, shape: Any, clearance: float, reach: float) -> Any:
+    """(n,) whether another unit's surface lies within ``clearance`` of a point's foot, or nearer to its image than its own does."""
+    near = np.zeros(len(feet), dtype=np.bool_)
+    for i in range(len(feet)):
+        for j in range(len(poses)):
+            d0, d1, d2 = feet[i, 0] - poses[j, 0], feet[i, 1] - poses[j, 1], feet[i, 2] - poses[j, 2]
+            if d0 * d0 + d1 * d1 + d2 * d2 >= reach * reach:
+                continue
+            gap = abs(_distance(feet[i], poses[j], shape))
+            # the image is no further from the foot than the point
+            if gap < clearance or (gap < 2.0 * sizes[i] and abs(_distance(images[i], poses[j], shape)) < sizes[i]):
+                near[i] = True
+                break
+    return near
 
 
 @kernel()
 def _distances(points: Any, pose: Any, shape: Any) -> Any:
     """(n,) signed distances of (n, 3) points from the surface of a unit with a pose (12,), metres."""
-    legs, radius, gradient, length, _ = shape
     result = np.empty(len(points))
     for i in range(len(points)):
-        d0, d1, d2 = points[i, 0] - pose[0], points[i, 1] - pose[1], points[i, 2] - pose[2]
-        x = d0 * pose[3] + d1 * pose[6] + d2 * pose[9]
-        y = d0 * pose[4] + d1 * pose[7] + d2 * pose[10]
-        z = d0 * pose[5] + d1 * pose[8] + d2 * pose[11]
-        _, result[i], _, _, _ = relate_point(x, y, z, legs, radius, gradient, length)
+        result[i] = _distance(points[i], pose, shape)
     return result
+
+
+@kernel()
+def _distance(point: Any, pose: Any, shape: Any) -> Any:
+    """Signed distance of a point (3,) from the surface of a unit with a pose (12,), metres."""
+    legs, radius, gradient, length, _ = shape
+    d0, d1, d2 = point[0] - pose[0], point[1] - pose[1], point[2] - pose[2]
+    x = d0 * pose[3] + d1 * pose[6] + d2 * pose[9]
+    y = d0 * pose[4] + d1 * pose[7] + d2 * pose[10]
+    z = d0 * pose[5] + d1 * pose[8] + d2 * pose[11]
+    return relate_point(x, y, z, legs, radius, gradient, length)[1]

@@ -15,11 +15,10 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numba import prange
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
-from ..common.arrays import FloatArray, IntArray
+from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.kernels import kernel
 from ..common.neighbourhood import build_grid, point_tree
 from ..common.voxels import thin
@@ -46,6 +45,8 @@ SURFACE_HEIGHTS = 3.0
 """Units within this distance tell the run of the armour's surface."""
 WIDEST_GAP = np.radians(120)
 """Largest angle between neighbours in the armour's surface: six around a place with one missing."""
+PLACES_AT_ONCE = 20_000
+"""Places whose neighbours are looked at together; bounds memory."""
 COARSE = 4
 """Steps of the lattice in a cell of the first, coarse look."""
 ROTATIONS = 150
@@ -150,7 +151,7 @@ def armour_of(poses: FloatArray, kinds: IntArray, units: Sequence[UnitType]) -> 
     return Armour(poses, kinds, tuple(units), cKDTree(centres), closest)
 
 
-def surrounded(places: FloatArray, tree: cKDTree, height: float) -> NDArray[np.bool_]:
+def surrounded(places: FloatArray, tree: cKDTree, height: float) -> BoolArray:
     """(n,) whether units stand around (n, 3) places on all sides in the armour's surface, and none-too-high nor too low for it.
 
     Parameters
@@ -166,21 +167,36 @@ def surrounded(places: FloatArray, tree: cKDTree, height: float) -> NDArray[np.b
     inside = np.zeros(len(places), dtype=np.bool_)
     if not len(places):
         return inside
-    near = tree.query_ball_point(places, SURROUNDINGS_HEIGHTS * height)
-    nearest = tree.query(places)[1]
-    patches = {k: centres[tree.query_ball_point(centres[k], SURFACE_HEIGHTS * height)] for k in np.unique(nearest)}
-    axes_of = {k: np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)[2] for k, patch in patches.items()}
-    for k, place in enumerate(places):
-        around = centres[near[k]] - place
-        if len(around) < FEWEST_AROUND:
+    for start in range(0, len(places), PLACES_AT_ONCE):
+        part = places[start : start + PLACES_AT_ONCE]
+        pairs = cKDTree(part).sparse_distance_matrix(tree, SURROUNDINGS_HEIGHTS * height, output_type="ndarray")
+        enough = np.bincount(pairs["i"], minlength=len(part)) >= FEWEST_AROUND
+        if not enough.any():
             continue
-        axes = axes_of[nearest[k]]
-        angles = np.sort(np.arctan2(around @ axes[1], around @ axes[0]))
-        widest = np.max(np.diff(np.append(angles, angles[0] + 2 * np.pi)))
-        # the place must lie within the layer's thickness: not on top of all its neighbours, not below them
-        across = around @ axes[2]
-        inside[k] = widest <= WIDEST_GAP and across.min() < 0 < across.max()
+        pairs = pairs[enough[pairs["i"]]]
+        known, patch_of = np.unique(tree.query(part)[1][pairs["i"]], return_inverse=True)
+        patches = [centres[tree.query_ball_point(centres[k], SURFACE_HEIGHTS * height)] for k in known]
+        axes = np.array([np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)[2] for patch in patches])
+        around = np.einsum("nab,nb->na", axes[patch_of], centres[pairs["j"]] - part[pairs["i"]])
+        inside[start + np.flatnonzero(enough)] = _all_around(pairs["i"], around)
     return inside
+
+
+def _all_around(place: IntArray, around: FloatArray) -> BoolArray:
+    """For each place, in ascending order, whether its neighbours stand on all sides in the surface and on both sides of it.
+
+    ``around`` (m, 3) leads from the place of each to a neighbour, along two axes in the surface and one across it.
+    """
+    angles = np.arctan2(around[:, 1], around[:, 0])
+    order = np.lexsort((angles, place))
+    angles, across = angles[order], around[order, 2]
+    first = np.flatnonzero(np.diff(place[order], prepend=-1))
+    last = np.append(first[1:], len(order)) - 1
+    steps = np.diff(angles, append=0.0)
+    steps[last] = angles[first] + 2 * np.pi - angles[last]
+    # the place must lie within the layer's thickness: not on top of all its neighbours, not below them
+    within = (np.minimum.reduceat(across, first) < 0) & (np.maximum.reduceat(across, first) > 0)
+    return np.asarray(within & (np.maximum.reduceat(steps, first) <= WIDEST_GAP))
 
 
 def find_gaps(points: FloatArray, armour: Armour) -> list[Gap]:
