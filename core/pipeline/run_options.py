@@ -40,11 +40,16 @@ class RunOptions:
     resume: bool = False
     seed: int = 0
 
+    @property
+    def cores(self) -> int:
+        """Local processes asked for: one a core where their number is left open."""
+        return self.workers or os.cpu_count() or 1
+
 
 def processes_of(options: RunOptions) -> LocalProcesses:
     """The local processes that a run may use, not started yet."""
     leave_if_imported()
-    return LocalProcesses(1 if options.scheduler is not None else options.workers or os.cpu_count() or 1)
+    return LocalProcesses(1 if options.scheduler is not None else options.cores)
 
 
 @contextmanager
@@ -63,7 +68,6 @@ def job_runner(output: Path, options: RunOptions, feedback: Feedback, processes:
     processes = processes or processes_of(options)
     if options.scheduler is not None:
         check_scheduler(options.scheduler)
-    workers = options.workers or os.cpu_count() or 1
     target = output.absolute()
     with _sole_writer(target):
         if options.resume:
@@ -74,14 +78,14 @@ def job_runner(output: Path, options: RunOptions, feedback: Feedback, processes:
                 raise OutputError(
                     f"cannot be made ({error.strerror})", source=folder, remedy="Check the folder's permissions and free space."
                 ) from error
-            with JobRunner(folder, workers, options.scheduler, feedback.is_cancelled, processes) as runner:
+            with JobRunner(folder, options.cores, options.scheduler, feedback.is_cancelled, processes) as runner:
                 yield runner
             return
         # workers of a cluster see the folder of the output, and nothing else for sure
         place = target.parent if options.scheduler else None
         with (
             temporary_folder(place) as temporary,
-            JobRunner(temporary, workers, options.scheduler, feedback.is_cancelled, processes) as runner,
+            JobRunner(temporary, options.cores, options.scheduler, feedback.is_cancelled, processes) as runner,
         ):
             yield runner
 
