@@ -200,12 +200,16 @@ class Eliminated:
         (CELLS,) predicted deviations from the ideal cones, mould included, metres.
     own
         By sighting, (CELLS,) variance of what does not come back, larger in cells that contradict the rest of the unit.
+    apart
+        (CELLS,) variance of what single cells have beyond the deviations of castings, the same in all sightings: mixed pixels at the
+        edges of what is seen, and neighbours that touch the unit, lie in the same place in every epoch.
     """
 
     normal: FloatArray
     rhs: FloatArray
     deviations: FloatArray
     own: tuple[FloatArray, ...]
+    apart: FloatArray
 
 
 @lru_cache(maxsize=1)
@@ -217,7 +221,7 @@ def straight_cells() -> BoolArray:
 
 def eliminate(
     normal: FloatArray, rhs: FloatArray, sightings: Sequence[CellSums], surface: SurfaceModel, covariance: FloatArray,
-    own: Sequence[FloatArray] | None = None,
+    own: Sequence[FloatArray] | None = None, apart: FloatArray | None = None,
 ) -> Eliminated:  # fmt: skip
     """Eliminate the deviations of a unit's cells from its normal equations.
 
@@ -231,6 +235,8 @@ def eliminate(
         Of the unit's kind, and its ``covariance``.
     own
         Variances by cell of each sighting from an earlier elimination; None for the surface's.
+    apart
+        (CELLS,) of single cells from an earlier elimination; None for none.
     """
     normal, rhs = normal.copy(), rhs.copy()
     size = len(rhs)
@@ -256,7 +262,9 @@ def eliminate(
     target = cell_rhs[cells] / root
     # W^1/2 (W + K^-1)^-1 W^1/2 = I - (I + W^1/2 K W^1/2)^-1, with W the weights of the cells
     whitened, deviations = np.column_stack([scaled, target]), surface.mean.copy()
-    _whiten(covariance, cells, root, whitened, deviations)
+    lone = np.zeros(CELLS) if apart is None else apart
+    beyond = np.zeros(CELLS)
+    _whiten(covariance, cells, root, whitened, deviations, lone, beyond)
     taken, left = whitened[:, :-1], whitened[:, -1]
     contradictions = tuple(_contradicted(sums, deviations, surface.own_of(sums)) for sums in sightings)
     return Eliminated(
@@ -264,13 +272,17 @@ def eliminate(
         rhs=rhs - scaled.T @ target + taken.T @ left,
         deviations=deviations,
         own=contradictions,
+        apart=beyond,
     )
 
 
 @kernel(releases=True)
-def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any) -> None:
+def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any, lone: Any, beyond: Any) -> None:
     """Right-hand sides in place times the inverse of the Cholesky factor of I + W^1/2 K W^1/2, leg by leg, as nothing ties two legs; what
     the last of them says of the deviations is added to these.
+
+    Each cell is held against what all others say of it (leave one out): its variance is that of the scale mixture of a t distribution of
+    ``OWN_DEGREES``.
 
     Parameters
     ----------
@@ -282,6 +294,8 @@ def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any)
         (n, q) right-hand sides.
     deviations
         (CELLS,) of the mould.
+    lone, beyond
+        (CELLS,) variance of single cells beyond K so far, and as this elimination finds it.
     """
     count, columns = right.shape
     start = 0
@@ -294,14 +308,28 @@ def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any)
         for a in range(stop - start):
             for b in range(a + 1):
                 factor[a, b] = root[start + a] * covariance[cells[start + a], cells[start + b]] * root[start + b]
-            factor[a, a] += 1.0
+            factor[a, a] += 1.0 + root[start + a] ** 2 * lone[cells[start + a]]
         factorise(factor)
         own = right[start:stop]
         whiten_columns(factor, own)
         solved = own[:, columns - 1].copy()
         substitute_back(factor, solved)
+        column = np.empty(stop - start)
+        for a in range(stop - start):
+            precision = 0.0
+            for b in range(a, stop - start):
+                total = 1.0 if a == b else 0.0
+                for k in range(a, b):
+                    total -= factor[b, k] * column[k]
+                column[b] = total / factor[b, b]
+                precision += column[b] * column[b]
+            cell = cells[start + a]
+            known = 1.0 / (root[start + a] ** 2 * precision) - lone[cell]
+            left = solved[a] / (root[start + a] * precision)
+            beyond[cell] = known * max((left * left / known - 1.0) / (OWN_DEGREES + 1.0), 0.0)
         for a in range(stop - start):
             solved[a] *= root[start + a]
+            deviations[cells[start + a]] -= lone[cells[start + a]] * solved[a]
         for c in range(leg * LEG_CELLS, (leg + 1) * LEG_CELLS):
             for a in range(stop - start):
                 deviations[c] -= covariance[c, cells[start + a]] * solved[a]

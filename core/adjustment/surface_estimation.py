@@ -70,11 +70,14 @@ class SampledUnit:
         Sums by cell; the unknowns are six of each sighting's pose and, last, the unit's size.
     own
         By sighting, variances of what does not come back, see :class:`.shape_effects.Eliminated`.
+    apart
+        (CELLS,) variances of single cells, as there; None for none.
     """
 
     scale: float
     sightings: Sequence[CellSums]
     own: Sequence[FloatArray]
+    apart: FloatArray | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,8 +208,11 @@ def _observations(unit: SampledUnit, surface: SurfaceModel) -> _Observed | None:
     kernels += [free.T @ (d[:, None] * free) for d in (doubt, doubt * uneven * straight, doubt * uneven * ~straight)]
     kernels += [np.outer(free.T @ size, free.T @ size)]
     mould = free.T @ np.column_stack([np.eye(MOULD_CELLS)[mould_cells()[where]], -size])
+    known = np.diag(noise)
+    if unit.apart is not None:
+        known += np.where(where[:, None] == where, unit.apart[where], 0.0)
     # as if the unit had its nominal size
-    return _Observed(free.T @ (distance - unit.scale * size), free.T @ (noise[:, None] * free), np.stack(kernels), mould)
+    return _Observed(free.T @ (distance - unit.scale * size), free.T @ known @ free, np.stack(kernels), mould)
 
 
 def _columns(sums: CellSums, own: FloatArray, seen: IntArray, surface: SurfaceModel) -> FloatArray:

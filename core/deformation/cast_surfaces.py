@@ -40,6 +40,7 @@ class CastSurfaces:
         self._covariance = self.model.covariance
         self._deviations: dict[int, NDArray[np.float16]] = {}
         self._own: dict[int, tuple[NDArray[np.float16], ...]] = {}
+        self._apart: dict[int, NDArray[np.float16]] = {}
         self._sample: dict[int, tuple[float, SampledUnit]] = {}
 
     def expected(self, unit: int) -> FloatArray:
@@ -54,7 +55,8 @@ class CastSurfaces:
     def reduced(self, unit: int, normal: FloatArray, rhs: FloatArray, sightings: Sequence[CellSums]) -> Eliminated:
         """Normal equations of a unit without the deviations of its cells; nothing is changed, so that units may be reduced side by side."""
         known = [own.astype(np.float64) * MILLIMETRE**2 for own in self._own.get(unit, ())]
-        return eliminate(normal, rhs, sightings, self.model, self._covariance, known)
+        apart = self._apart[unit].astype(np.float64) * MILLIMETRE**2 if self.learned and unit in self._apart else None
+        return eliminate(normal, rhs, sightings, self.model, self._covariance, known, apart)
 
     def keep(self, unit: int, scale: float, found: Eliminated, sightings: Sequence[CellSums], unknowns: int) -> None:
         """Keep what the reduction of a unit of relative size 1 + ``scale`` found of its surface.
@@ -64,13 +66,14 @@ class CastSurfaces:
         # kept for every unit of the survey: three digits of millimetres and their squares are plenty
         self._deviations[unit] = (found.deviations / MILLIMETRE).astype(np.float16)
         self._own[unit] = tuple(np.minimum(own / MILLIMETRE**2, LARGEST_HALF).astype(np.float16) for own in found.own)
+        self._apart[unit] = np.minimum(found.apart / MILLIMETRE**2, LARGEST_HALF).astype(np.float16)
         seen = float(sum((sums.weight > 0).sum() for sums in sightings))
         weakest = min(self._sample, key=lambda k: self._sample[k][0], default=unit)
         if unit in self._sample or len(self._sample) < SAMPLE_UNITS or seen > self._sample[weakest][0]:
             if unit not in self._sample and len(self._sample) >= SAMPLE_UNITS:
                 del self._sample[weakest]
             own = [CellSums(s.rows[:, :unknowns].copy(), s.weight, s.rhs, s.square, s.noise) for s in sightings]
-            self._sample[unit] = (seen, SampledUnit(scale, own, found.own))
+            self._sample[unit] = (seen, SampledUnit(scale, own, found.own, found.apart))
 
     def learn(self) -> None:
         """Learn mould and variances from the units reduced last."""

@@ -148,6 +148,23 @@ def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, foun
 
 
 @kernel(releases=True)
+def kept_share(limit: Any) -> Any:
+    """Share of a small departure from the middle of Tukey's window that a mean with its weights keeps, for normal points of which none is
+    seen beyond ``limit`` standard deviations.
+
+    It is also the share of their variance that the weights leave (Stein's lemma).
+    """
+    step = limit / 400
+    mass = square = 0.0
+    for i in range(400):
+        u = (i + 0.5) * step
+        w = (1.0 - (u / limit) ** 2) ** 2 * math.exp(-0.5 * u * u)
+        mass += w
+        square += w * u * u
+    return square / mass
+
+
+@kernel(releases=True)
 def accumulate(seen: Any, window: Any, expected: Any, equations: Any, cells: Any, places: Any) -> int:
     """Add one sighting to its unit's normal equations and to its cells; returns the number of points with weight.
 
@@ -160,7 +177,8 @@ def accumulate(seen: Any, window: Any, expected: Any, equations: Any, cells: Any
     seen
         :class:`StripObservations`.
     window
-        Standard deviation of a point, metres, and from how many of these on a point has no weight.
+        Standard deviation of a point, metres, from how many of these on a point has no weight, and the share of a small departure from
+        what is expected that weighted means keep (:func:`kept_share`), by which they are divided.
     expected
         (CELLS,) what the cells deviate by, metres.
     equations
@@ -171,7 +189,7 @@ def accumulate(seen: Any, window: Any, expected: Any, equations: Any, cells: Any
         Number of the sighting within the unit, number of the unit's pose unknowns, and (n,) the strip of each point among the unit's.
     """
     rows, residual, patch, _ = seen
-    sigma, tukey = window
+    sigma, tukey, kept = window
     normal, rhs = equations
     patch_rows, patch_weight, patch_rhs, patch_square = cells
     body, n_pose, strip_local = places
@@ -195,6 +213,15 @@ def accumulate(seen: Any, window: Any, expected: Any, equations: Any, cells: Any
         patch_weight[k] += w
         patch_rhs[k] -= w * residual[i]
         patch_square[k] += w * residual[i] * residual[i]
+    for k in range(count):
+        if patch_weight[k] == 0.0:
+            continue
+        total, mean = patch_weight[k], -patch_rhs[k] / patch_weight[k]
+        within = max(patch_square[k] / total - mean * mean, 0.0) / kept
+        for s in range(strips):
+            distances[k, s] = weights[k, s] * expected[k] + (distances[k, s] - weights[k, s] * expected[k]) / kept
+        mean = expected[k] + (mean - expected[k]) / kept
+        patch_rhs[k], patch_square[k] = -total * mean, total * (within + mean * mean)
     index = np.zeros(10, dtype=np.int64)
     for m in range(6):
         index[m] = 6 * body + m

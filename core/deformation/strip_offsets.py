@@ -37,7 +37,7 @@ from .cast_surfaces import CastSurfaces
 from .joint_records import JointAdjustment, UnitSighting
 from .streamed_median import StreamedMedian
 from .strip_drifts import DriftSystem, Knots, StripDrifts, UnitEquations
-from .strip_observations import Body, StripObservations, accumulate, observations
+from .strip_observations import Body, StripObservations, accumulate, kept_share, observations
 from .strip_systems import DriftStep, OffsetSystem, StripSystem, StripValues, UnitBlock
 from .unit_clouds import ReadCloud, by_home
 
@@ -198,10 +198,11 @@ class _JointSolver:
             noise = float(self.noise[self.sightings[k].epoch])
             # once the surface is known, points are judged against it
             window = math.hypot(noise, surface.roughness if surface.learned else self.surface_sd)
+            limit = TUKEY * window / noise
             sums = CellSums(np.zeros((CELLS, size)), np.zeros(CELLS), np.zeros(CELLS), np.zeros(CELLS), noise)
             self.used[k] = accumulate(
                 seen,
-                (noise, TUKEY * window / noise),
+                (noise, limit, kept_share(limit)),
                 surface.expected(unit),
                 (normal, rhs),
                 (sums.rows, sums.weight, sums.rhs, sums.square),

@@ -13,6 +13,7 @@ from tetratrack.core.adjustment.shape_effects import (
     COMPONENTS,
     LEG_CELLS,
     CellSums,
+    SurfaceModel,
     cell_places,
     eliminate,
     prior_surface,
@@ -71,6 +72,45 @@ def test_a_cell_in_which_two_epochs_contradict_each_other_loses_weight() -> None
     pair[1].rhs[spoilt] -= 0.02 * pair[1].weight[spoilt]
     found = eliminate(np.eye(13), np.zeros(13), pair, surface, surface.covariance)
     assert found.own[1][spoilt] > 30 * np.median(found.own[1])
+
+
+def test_cells_that_stand_apart_in_all_epochs_no_longer_pull_the_pose() -> None:
+    surface = prior_surface(HEIGHT)
+    covariance = surface.covariance
+    root = np.linalg.cholesky(covariance + 1e-12 * np.eye(CELLS))
+    touched = 5 * AZIMUTH_CELLS + np.array([0, 6, 12])
+    forms = np.zeros(2)
+    for seed in range(4):
+        rng = np.random.default_rng(seed)
+        shape, seen = root @ rng.normal(size=CELLS), rng.random(CELLS) < 0.3
+        seen[touched] = True
+        neighbour = np.zeros(CELLS)
+        neighbour[touched] = -0.06
+        clean, disturbed = (
+            [sighting(np.random.default_rng(seed + 9), shape + beside, seen, slice(6 * k, 6 * k + 6), 13) for k in range(2)]
+            for beside in (np.zeros(CELLS), neighbour)
+        )
+        known = adjusted(clean, surface, covariance, None)
+        first = held = adjusted(disturbed, surface, covariance, None)
+        for _ in range(4):
+            held = adjusted(disturbed, surface, covariance, held[1])
+        assert first[1][touched].min() > 3 * known[1].max()
+        forms += [(found[0] - known[0]) @ known[2] @ (found[0] - known[0]) for found in (first, held)]
+    assert forms[1] < 0.5 * forms[0]
+
+
+def adjusted(
+    pair: list[CellSums], surface: SurfaceModel, covariance: np.ndarray, apart: np.ndarray | None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Unknowns of a unit, what stands apart in its cells, and its normal matrix."""
+    normal, rhs = np.diag(np.full(13, 1e-6)), np.zeros(13)
+    for sums in pair:
+        cells = np.flatnonzero(sums.weight)
+        design = sums.rows[cells] / sums.weight[cells, None]
+        normal += design.T @ sums.rows[cells]
+        rhs += design.T @ sums.rhs[cells]
+    found = eliminate(normal, rhs, pair, surface, covariance, apart=apart)
+    return np.linalg.solve(found.normal, found.rhs), found.apart, found.normal
 
 
 def test_variances_and_mould_are_found_again() -> None:

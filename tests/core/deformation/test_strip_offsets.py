@@ -14,7 +14,7 @@ from tetratrack.core.common.kernels import threads_of_kernels
 from tetratrack.core.deformation import cast_surfaces, strip_offsets
 from tetratrack.core.deformation.joint_records import JointAdjustment, UnitSighting
 from tetratrack.core.deformation.streamed_median import StreamedMedian
-from tetratrack.core.deformation.strip_observations import Body, observations
+from tetratrack.core.deformation.strip_observations import Body, kept_share, observations
 from tetratrack.core.deformation.strip_offsets import adjust_jointly
 from tetratrack.core.deformation.unit_clouds import UnitCloud
 from tetratrack.core.model.mould import AXIAL_CELLS, AZIMUTH_CELLS
@@ -249,3 +249,10 @@ def test_a_strip_that_drifts_is_straightened() -> None:
 
 def test_stiff_strips_stay_stiff() -> None:
     assert adjust_jointly(drifting(2, 0.0)[0]).drifts is None
+
+
+@pytest.mark.parametrize("limit", [3.0, 4.685, 8.0])
+def test_weighted_means_keep_as_much_of_a_departure_as_is_said(limit: float) -> None:
+    points = np.random.default_rng(5).normal(0.1, 1.0, 2_000_000)
+    weights = np.clip(1 - (points / limit) ** 2, 0, None) ** 2
+    assert np.sum(weights * points) / np.sum(weights) / 0.1 == pytest.approx(kept_share(limit), abs=0.02)
