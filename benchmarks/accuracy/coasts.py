@@ -67,6 +67,8 @@ class Kind:
 KINDS = {
     "uav": Kind(instrument="uav", frame=FrameErrors(bend=0.03)),
     "uav_sparse": Kind(instrument="uav", frame=FrameErrors(bend=0.03), targets_every=70.0),
+    "uav_strong": Kind(instrument="uav", frame=FrameErrors(bend=0.05)),
+    "uav_strong_short": Kind(instrument="uav", frame=FrameErrors(bend=0.05, shortest=30.0, longest=60.0)),
     "uav_slide": Kind(instrument="uav", frame=FrameErrors(bend=0.03), slide=0.1),
     "uav_flat": Kind(instrument="uav"),
     "uav_drift": Kind(instrument="uav", frame=FrameErrors(drift=0.03)),

@@ -1,15 +1,18 @@
 """Datum control and positions of short coasts, where few draws decide: is every single one as far off as it says?
 
     python benchmarks/accuracy/short_coasts.py [--seeds 40] [--first 0]
+    python benchmarks/accuracy/short_coasts.py --positions --length 320 --station 150 [--density 2] [--seeds 40] [--first 0]
 
 Flat coasts of 100 m with two stations of eight targets: the clouds of both epochs lie off by the mean offset of their strips, which the
 registration is told or not, and units are judged with the control's own size and with that of the units at rest. Bent coasts (3 cm):
-positions of units between the stations. Displacements with their covariances are drawn (``tests/helpers/bent_coast.py``), no clouds.
+positions of units between the stations, here or on coasts of another length (``--positions``). Displacements with their covariances
+are drawn (``tests/helpers/bent_coast.py``), no clouds.
 """
 
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from pathlib import Path
 from typing import Any
@@ -56,9 +59,9 @@ def _judged(coast: BentCoast, vectors: Any, found: Congruence) -> tuple[float, f
     return float(np.mean(squares[coast.resting])), flagged(found.control_p_values[coast.resting])
 
 
-def bent(seed: int) -> tuple[float, float, float]:
+def bent(seed: int, length: float = LENGTH, station: float = STATION, density: float = DENSITY) -> tuple[float, float, float]:
     """Positions of units between stations: mean squared error and variance (square metres), and mean squared normalised error."""
-    coast = bent_coast(seed, length=LENGTH, station=STATION, density=DENSITY)
+    coast = bent_coast(seed, length=length, station=station, density=density)
     frames = frames_of(coast)
     if frames is None:
         raise ValueError("a bend of 3 cm was not seen")
@@ -86,8 +89,23 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", type=int, default=40)
     parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--positions", action="store_true", help="of bent coasts alone")
+    parser.add_argument("--length", type=float, default=LENGTH, help="of a bent coast, metres")
+    parser.add_argument("--station", type=float, default=STATION, help="distance of its stations of targets, metres")
+    parser.add_argument("--density", type=float, default=DENSITY, help="its units a metre")
     arguments = parser.parse_args()
     seeds = range(arguments.first, arguments.first + arguments.seeds)
+    if not arguments.positions:
+        print_flat(seeds)
+    squares, stated, z = np.array([bent(seed, arguments.length, arguments.station, arguments.density) for seed in seeds]).T
+    rmse, sd = 1000 * np.sqrt(squares.mean()), 1000 * np.sqrt(stated.mean())
+    error, (low, high) = z.std() / math.sqrt(len(z)), np.quantile(z, (0.1, 0.9))
+    print(f"positions: RMSE {rmse:.1f} mm, stated {sd:.1f} mm, z² {z.mean():.2f} ± {error:.2f}", end=" ")
+    print(f"(median {np.median(z):.2f}, 80 % {low:.2f}–{high:.2f}, all {z.min():.2f}–{z.max():.2f})")
+
+
+def print_flat(seeds: range) -> None:
+    """A row for each mean offset and each size."""
     print("| mean offset, told (mm) | size by | z², coasts within 0.7–1.4 | flagged, coasts within 2–8 % |\n| --- | --- | --- | --- |")
     for offset, told in OFFSETS:
         found = [flat(seed, offset, told) for seed in seeds]
@@ -96,9 +114,6 @@ def main() -> None:
             size = f"{z.mean():.2f} ({z.min():.2f}–{z.max():.2f}), {share(z, HONEST):.0f} %"
             level = f"{100 * flags.mean():.1f} % ({100 * flags.min():.1f}–{100 * flags.max():.1f}), {share(flags, LEVELS):.0f} %"
             print(f"| {1000 * offset:.1f}, {1000 * told:.1f} | {name} | {size} | {level} |", flush=True)
-    squares, stated, z = np.array([bent(seed) for seed in seeds]).T
-    rmse, sd = 1000 * np.sqrt(squares.mean()), 1000 * np.sqrt(stated.mean())
-    print(f"positions: RMSE {rmse:.1f} mm, stated {sd:.1f} mm, z² {z.mean():.2f} (median {np.median(z):.2f}, {z.min():.2f}–{z.max():.2f})")
 
 
 if __name__ == "__main__":
