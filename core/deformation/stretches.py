@@ -17,10 +17,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.optimize import brentq
+from scipy.special import fdtri, gammaln
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.noncentrality import noncentrality
-from ..common.robust import CHI2_3_MEDIAN, t_weights
+from ..common.robust import t_weights
 from ..registration.frame_field import FieldEstimate
 from ..registration.shift_samples import axis_of
 from .congruence import Congruence, f_p_value, pooled_degrees, quadratic
@@ -35,6 +36,11 @@ FEWEST_OTHERS = 4
 """Other stretches, none of them overlapping, from which their variance is learned for datum ``control``: fewer may lie on what moved."""
 NO_OTHERS = 1.0
 """Degrees of freedom of what is stated where no stretch is apart from the one in question and could show it."""
+TAILS = (3.0, 4.0, 6.0, 9.0, 15.0, 30.0)
+USUAL_TAIL, TAIL_PRIOR = 15.0, 0.8
+"""Degrees of freedom of the tails among which the likeliest is chosen, and their prior: about 15 within a factor of two, as for units."""
+OVERLAP = 2.0
+"""Stretches that show the same ground."""
 MOST_ANEW = 500
 """Unknowns of a field up to which it is adjusted anew without each stretch: of a longer coast the stretch is taken out of what is known."""
 
@@ -100,8 +106,10 @@ def motions_of_stretches(
     stretches, _, length = stretches_of(units.places, height)
     numbers = [k for k, own in enumerate(stretches) if len(own) >= FEWEST_UNITS]
     means = {datum: [_mean_motion(units, stretches[k], congruence, elastic, datum, height) for k in numbers] for datum in DATUMS}
-    between = [_between_stretches([m for j, m in zip(numbers, means["stable"], strict=True) if abs(j - k) > 1]) for k in numbers]
-    learned = {"stable": between, "control": [b if b[1] >= FEWEST_OTHERS else (0.0, math.inf) for b in between]}
+    others = [[m for j, m in zip(numbers, means["stable"], strict=True) if abs(j - k) > 1] for k in numbers]
+    between = [_between_stretches(own) for own in others]
+    known = [b if len(own) >= FEWEST_OTHERS else (0.0, math.inf) for b, own in zip(between, others, strict=True)]
+    learned = {"stable": between, "control": known}
     found: dict[str, list[StretchMotion]] = {}
     for datum in DATUMS:
         covariances, p_values = [], []
@@ -151,19 +159,32 @@ def _mean_motion(
 
 
 def _between_stretches(others: Sequence[_MeanMotion]) -> tuple[float, float]:
-    """Variance (square metres) by which resting stretches differ beyond what is stated, from the others, and its degrees of freedom."""
+    """Variance (square metres) by which resting stretches differ beyond what is stated, from the others, and its degrees of freedom.
+
+    A bend is rougher here and smoother there, and what others say of a stretch errs accordingly: by the tails of t, whose degrees of
+    freedom are the likeliest, with a weak prior. Stretches overlap by half, each has three components, and a median knows a variance about
+    as well as two thirds of its values do: together as well as there are others.
+    """
     if not others:
         return 0.0, NO_OTHERS
     motions = np.array([mean.motion for mean in others])
     covariances = np.array([mean.cofactor + mean.frame for mean in others])
-
-    def misfit(variance: float) -> float:
-        return float(np.median(quadratic(motions, covariances + variance * np.eye(3)))) - CHI2_3_MEDIAN
-
     largest = float(np.max(np.sum(motions**2, axis=1)))
-    variance = float(brentq(misfit, 0.0, largest)) if misfit(0.0) > 0 else 0.0
-    # stretches overlap by half, each has three components, and a median knows a variance about as well as two thirds of its values do
-    return variance, float(len(others))
+    best, found = -math.inf, (0.0, NO_OTHERS)
+    for tail in TAILS:
+        median = 3 * float(fdtri(3, tail, 0.5))
+
+        def misfit(variance: float, median: float = median) -> float:
+            return float(np.median(quadratic(motions, covariances + variance * np.eye(3)))) - median
+
+        variance = float(brentq(misfit, 0.0, largest)) if misfit(0.0) > 0 else 0.0
+        total = covariances + variance * np.eye(3)
+        each = -0.5 * (tail + 3) * np.log1p(quadratic(motions, total) / tail) - 0.5 * np.linalg.slogdet(total)[1]
+        constant = gammaln((tail + 3) / 2) - gammaln(tail / 2) - 1.5 * math.log(tail)
+        likely = float(np.sum(each) + len(others) * constant) / OVERLAP - 0.5 * (math.log(tail / USUAL_TAIL) / TAIL_PRIOR) ** 2
+        if likely > best:
+            best, found = likely, (variance, min(tail, float(len(others))))
+    return found
 
 
 def _frame_part(
