@@ -38,7 +38,7 @@ from .relocation import join_relocated
 from .strip_offsets import adjust_jointly
 from .tracked_epoch import TrackedEpoch, TrackedUnit
 from .unit_clouds import by_home
-from .unit_states import SURE_SCORE, odd_sizes, states_of
+from .unit_states import SURE_SCORE, doubted_where_open, odd_sizes, states_of
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -146,12 +146,9 @@ def track(
     tracked = [states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
     known = TrackedUnits(types=units, tracks=tracks, states=tracked, joint=joint, numbers=numbers)
     frames = _frames(known, epochs, frame)
-    pairs = _compared(known, epochs, frames)
-    held = hold_open_displacements(known, pairs)
-    if held is not None:
-        known, tracked = replace(known, states=held), held
-        pairs = _compared(known, epochs, frames)
-    calibrations = tuple(PoseCalibration.of_pairs([p.calibration for p in pairs if k in (p.first, p.second)]) for k in range(len(epochs)))
+    known, pairs = _settled(known, epochs, frames)
+    tracked = [dict(own) for own in known.states]
+    calibrations = _calibrations(pairs, len(epochs))
     checks = _cross_checks([with_poses(own, tracked[k]) for k, own in enumerate(seen)], joint, numbers, len(epochs))
     velocities = _velocities(epochs, units, tracks, tracked, pairs, calibrations) if len(epochs) > 2 else {}
     if frames is not None:
@@ -171,9 +168,28 @@ def track(
     )
 
 
+def _settled(units: TrackedUnits, epochs: Sequence[TrackedEpoch], frames: EpochFrames | None) -> tuple[TrackedUnits, tuple[EpochPair, ...]]:
+    """Units and pairs of epochs once poses that are left open are doubted, and displacements that are, are held at rest."""
+    pairs = _compared(units, epochs, frames)
+    doubted = doubted_where_open(units.states, [units.types[t.kind] for t in units.tracks], _calibrations(pairs, len(epochs)))
+    if doubted is not None:
+        units = replace(units, states=doubted)
+        pairs = _compared(units, epochs, frames)
+    held = hold_open_displacements(units, pairs)
+    if held is not None:
+        units = replace(units, states=held)
+        pairs = _compared(units, epochs, frames)
+    return units, pairs
+
+
 def _compared(units: TrackedUnits, epochs: Sequence[TrackedEpoch], frames: EpochFrames | None) -> tuple[EpochPair, ...]:
     """All pairs of epochs."""
     return tuple(compare_epochs(units, epochs, a, b, frames) for a, b in combinations(range(len(epochs)), 2))
+
+
+def _calibrations(pairs: Sequence[EpochPair], epochs: int) -> tuple[PoseCalibration, ...]:
+    """What units at rest say of the covariances of each epoch, in all pairs that it belongs to."""
+    return tuple(PoseCalibration.of_pairs([p.calibration for p in pairs if k in (p.first, p.second)]) for k in range(epochs))
 
 
 def _with_legs(seen: Mapping[int, FittedUnit]) -> dict[int, FittedUnit]:

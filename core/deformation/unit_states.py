@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from ..adjustment.shape_effects import PRIOR_SIZE_SD
-from ..common.arrays import BoolArray, IntArray
+from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.robust import sd_of_deviations
 from ..model.unit_types import UnitType
+from .congruence import PoseCalibration
 from .fitted_unit import FittedUnit
 from .identity import Track
 from .joint_records import JointAdjustment
@@ -22,8 +24,9 @@ SURE_SCORE = 0.99
 """Score of a unit whose size is held against what castings of any moulds differ by, at least."""
 ODD_SIZE = 4.5
 """Deviation of a unit's size from that of the others, in standard deviations, above which something else was fitted."""
-MOST_OPEN_HEIGHTS = 0.1
-"""Standard deviation of a centre, in unit heights, beyond which there is no pose: recovered units that are right stay below a fortieth."""
+MOST_OPEN_HEIGHTS = 0.06
+"""Standard deviation of a centre in its worst direction, in unit heights, beyond which no one relies on a pose: two and a half of it are as
+far as a pose may lie from its unit to be called right (0.15). Recovered units that are right stay below a fortieth."""
 RECOVERED_SCORE = 0.8
 """Probability below which one detection does not vouch for the unit in an epoch where it was not detected."""
 
@@ -86,7 +89,7 @@ def states_of(
             place = joint.order[unit].index(number)
             block = slice(6 * place, 6 * place + 6)
             own = joint.covariances[unit][block, block]
-            left_open = math.sqrt(max(np.linalg.eigvalsh(own[:3, :3])[-1], 0.0)) > MOST_OPEN_HEIGHTS * seen[epoch].shape.height
+            left_open = _is_open(own, seen[epoch].shape)
             if left_open and epoch not in track.rows:
                 tracked |= {epoch: _not_seen("hidden", joint.scales[unit])} if epoch > first else {}
                 continue
@@ -109,6 +112,36 @@ def states_of(
         elif epoch > first and epoch in states:
             tracked[epoch] = _not_seen(states[epoch], joint.scales[unit])
     return tracked
+
+
+def doubted_where_open(
+    states: Sequence[Mapping[int, TrackedUnit]], shapes: Sequence[UnitType], calibrations: Sequence[PoseCalibration]
+) -> list[dict[int, TrackedUnit]] | None:
+    """States of all units, uncertain where a found pose is left open once it is known how true the covariances are; None where none is.
+
+    Parameters
+    ----------
+    states, shapes
+        Of every unit, by epoch, and its type.
+    calibrations
+        What units at rest say of the covariances of each epoch.
+    """
+    doubted = [
+        {
+            epoch: replace(state, status="uncertain")
+            for epoch, state in own.items()
+            if state.status == "found"
+            and state.covariance is not None
+            and _is_open(calibrations[epoch].covariance(state.covariance), shape)
+        }
+        for own, shape in zip(states, shapes, strict=True)
+    ]
+    return [{**own, **less} for own, less in zip(states, doubted, strict=True)] if any(doubted) else None
+
+
+def _is_open(covariance: FloatArray, shape: UnitType) -> bool:
+    """Whether a (6, 6) covariance of a pose leaves its centre open."""
+    return math.sqrt(max(np.linalg.eigvalsh(covariance[:3, :3])[-1], 0.0)) > MOST_OPEN_HEIGHTS * shape.height
 
 
 def _not_seen(state: str, scale: float) -> TrackedUnit:

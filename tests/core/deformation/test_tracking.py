@@ -12,15 +12,16 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
+from tetratrack.core.deformation.congruence import PoseCalibration
 from tetratrack.core.deformation.displacement import grades_from
 from tetratrack.core.deformation.fitted_unit import FittedUnit
 from tetratrack.core.deformation.identity import Track
 from tetratrack.core.deformation.joint_records import JointAdjustment
 from tetratrack.core.deformation.missing_units import Around, Surroundings
-from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
+from tetratrack.core.deformation.tracked_epoch import TrackedEpoch, TrackedUnit
 from tetratrack.core.deformation.tracking import Tracking, track, with_poses
 from tetratrack.core.deformation.unit_clouds import HeldPoints, UnitCloud
-from tetratrack.core.deformation.unit_states import odd_sizes, states_of
+from tetratrack.core.deformation.unit_states import doubted_where_open, odd_sizes, states_of
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.pipeline.displacement_table import (
     TableOptions,
@@ -403,6 +404,25 @@ def test_a_pose_that_its_points_leave_open_is_none(open_epoch: int, detected: bo
     assert status != "unseen" or found[open_epoch].pose is None
     # nor is there anything to check by direct registration
     assert sorted(with_poses({0: sure, 1: sure}, found)) == ([0, 1] if detected else [1 - open_epoch])
+
+
+def test_a_found_pose_is_doubted_where_what_is_known_of_covariances_leaves_it_open() -> None:
+    """Units at rest say that true deviations are twice the adjusted ones: what was known to 4 % of the height is known to 8 %."""
+    sds = {"found": (0.004, 0.04), "relocated": (0.04,)}
+    states = [
+        {
+            0: TrackedUnit(
+                row=0, pose=Pose(np.zeros(3), np.eye(3)), covariance=np.diag([(sd * UNIT.height) ** 2, *[1e-8] * 5]),
+                scale=1.0, status=status, points=90,
+            )
+        }
+        for status, own in sds.items()
+        for sd in own
+    ]  # fmt: skip
+    assert doubted_where_open(states, [UNIT] * 3, [PoseCalibration.of_pairs([])]) is None
+    found = doubted_where_open(states, [UNIT] * 3, [PoseCalibration.of_pairs([(2.0, 0.0, 1.0, 0.0)])])
+    assert found is not None
+    assert [own[0].status for own in found] == ["found", "uncertain", "relocated"]
 
 
 def seen_nothing() -> tuple[np.ndarray, np.ndarray]:
