@@ -213,7 +213,8 @@ def main() -> None:
     todo = [(folder, poverty) for folder in options.surveys for poverty in POOR]
     todo += [(folder, Poverty("station", station)) for folder in options.stations for station in STATIONS]
     results = []
-    print("| copy | recall >= 30 / 15-30 / 5-15 % | precision | run: recall | RMSE, mm | limit, mm | false alarms |\n" + "| --- " * 7 + "|")
+    print("| copy | recall >= 30 / 15-30 / 5-15 % | precision | run: recall | precision | RMSE, mm | limit, mm | false alarms |")
+    print("| --- " * 8 + "|")
     every: list[tuple[float, bool]] = []
     with tempfile.TemporaryDirectory() as temporary:
         for source, poverty in todo:
@@ -226,7 +227,7 @@ def main() -> None:
             run = displaced(copy) if options.run else {}
             cells = [
                 run.get("recall", "–"),
-                *(_shown(run.get(k), d) for k, d in (("rmse_mm", ".1f"), ("limit_mm", ".1f"), ("alarms", ".1%"))),
+                *(_shown(run.get(k), d) for k, d in (("precision", ".3f"), ("rmse_mm", ".1f"), ("limit_mm", ".1f"), ("alarms", ".1%"))),
             ]
             print(f"| {copy.name} | {figures.recall} | {figures.precision} | {' | '.join(cells)} |", flush=True)
             results.append(asdict(poverty) | {"survey": source.name, "recall": figures.recall, "precision": figures.precision, "run": run})

@@ -19,7 +19,17 @@ from ..data.survey import Survey, SurveyUnit, inside
 from ..data.tiles import TileInfo
 from ..model.unit_types import UnitType
 from ..segmentation.cloud_quality import cloud_quality
-from ..segmentation.unit_size import LEAST_EVIDENCE, TRIAL_WINDOWS, FoundSize, SizeTrial, estimate_sizes, refined, trial_heights, try_size
+from ..segmentation.unit_size import (
+    FINAL_WINDOWS,
+    LEAST_EVIDENCE,
+    TRIAL_WINDOWS,
+    FoundSize,
+    SizeTrial,
+    estimate_sizes,
+    refined,
+    trial_heights,
+    try_size,
+)
 from .cloud_sample import sample_points
 
 SIDE = 1.1
@@ -79,9 +89,24 @@ def found_size(points: FloatArray, unit: UnitType) -> tuple[SizeTrial, FoundSize
         if given.evidence > max(2 * best.evidence, LEAST_EVIDENCE):
             return given, None
     if max(given.evidence, best.evidence) > LEAST_EVIDENCE:
-        return given, refined(points, unit if given.evidence > best.evidence else _scaled(unit, best.height / unit.height))
+        return given, _refined(points, unit if given.evidence > best.evidence else _scaled(unit, best.height / unit.height))
     heights = [float(h) for h in trial_heights(points) if 1 / FAR < h / unit.height < FAR]
     return given, next(iter(estimate_sizes(points, heights=heights)), None)
+
+
+def _refined(points: FloatArray, unit: UnitType) -> FoundSize | None:
+    """Size near a trial size; in noise the trial size itself, within half a step, where that explains more.
+
+    Noise makes free shapes too large: at 3.3 % of the height by 8 to 10 % on simulated piles, where the true size explains a tenth to a
+    fifth more.
+    """
+    found = refined(points, unit)
+    if found is None or not found.noisy:
+        return found
+    trial = try_size(points, unit, windows=FINAL_WINDOWS)
+    if trial.evidence < found.trial.evidence:
+        return found
+    return replace(found, unit=unit, trial=trial, uncertainty=0.5 * (SIDE - 1) * unit.height)
 
 
 def _judge(survey: Survey, index: int, points: FloatArray, others: Sequence[float], feedback: Feedback) -> None:
