@@ -45,6 +45,8 @@ SIDE_CELLS, SIDE_SHARE = 4, 0.5
 """Cells on one side of another, and the share of the correlation length within which they are looked for, that say whether it agrees."""
 AGREEING = 3.5
 """Distance from those in standard deviations up to which it does."""
+LEAST_STRETCH = 5.0
+"""Stretch of the whole structure in standard deviations from which it is seen."""
 CLEAR_OUTLIER = 5.0
 """Misfit of a cell in standard deviations that no bend explains."""
 
@@ -114,7 +116,7 @@ def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = G
         # looked for last: the freer a bend is to follow the ground, the less a step looks like one
         wide, wide_gain = _likeliest(sample, found.windows, axis, lengths, (LINE_OF_FLIGHT,))
         model, gain = (wide, wide_gain) if wide is not None and wide_gain > gain else (model, gain)
-    return Bending(model=model, gain=gain, axis=axis, jumps=found.stretches)
+    return Bending(model=_no_stiffer_than_seen(sample, found.windows, model), gain=gain, axis=axis, jumps=found.stretches)
 
 
 def explained(sample: ShiftSample, model: FieldModel) -> IntArray:
@@ -147,6 +149,26 @@ def _alike(sds: tuple[float, float, float]) -> tuple[float, float, float]:
     common = math.exp(sum(math.log(sd) for sd in sds if sd > 0) / max(sum(sd > 0 for sd in sds), 1))
     first, second, third = (sd ** (1 - ALIKE) * common**ALIKE if sd > 0 else 0.0 for sd in sds)
     return first, second, third
+
+
+def _no_stiffer_than_seen(sample: ShiftSample, windows: Sequence[IntArray], model: FieldModel) -> FieldModel:
+    """The model with as much bend in plan as a stretch of the whole structure along itself shows, where a component was said to have none.
+
+    Slopes tell nothing of a bend, since most of them a rigid motion may have; but that one it has not, and a component that is held rigid
+    against it turns the frame.
+    """
+    cells = np.unique(np.concatenate(windows))
+    axis = np.array(model.axis)
+    weights = 1 / (sample.variances[cells, :2] @ axis**2)
+    along = sample.places[cells] @ axis
+    arm = along - np.average(along, weights=weights)
+    known = float(np.sum(weights * arm**2))
+    slope = float(np.sum(weights * arm * (sample.values[cells, :2] @ axis))) / known
+    if slope**2 * known < LEAST_STRETCH**2:
+        return model
+    seen = abs(slope) * float(np.std(along)) * np.abs(axis)
+    first, second = (sd if sd > 0 else float(least) for sd, least in zip(model.sds[:2], seen, strict=True))
+    return replace(model, sds=(first, second, model.sds[2]))
 
 
 def rigid_log_likelihood(sample: ShiftSample) -> float:

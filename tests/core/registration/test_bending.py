@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
+import pytest
 from tetratrack.core.registration.bending import estimate_bending, explained
 from tetratrack.core.registration.shift_samples import ShiftSample
 
@@ -41,3 +44,17 @@ def test_a_slide_anywhere_on_a_long_coast_is_no_bend() -> None:
         jumps = estimate_bending(sample, 6.0).jumps
         assert len(jumps) == 1
         np.testing.assert_allclose(jumps[0], (middle - 12, middle + 12), atol=3.0)
+
+
+@pytest.mark.parametrize(("slopes", "bends"), [((0.0015, 0.0), True), ((0.0, 0.0015), False), ((0.0, 0.0), False)])
+def test_a_stretch_along_the_whole_structure_is_a_bend_and_a_turn_is_none(slopes: tuple[float, float], bends: bool) -> None:
+    """Heights bend; in plan nothing but a slope is seen: across the structure it is a turn, along it no rigid motion."""
+    sample = long_sample(3, 50)
+    along = sample.places[:, :1]
+    noise = np.random.default_rng(4).normal(0, 0.002, (len(along), 2))
+    plan = replace(sample, values=np.hstack([along * np.array(slopes) + noise, sample.values[:, 2:]]))
+    model = estimate_bending(plan, 6.0).model
+    assert model is not None
+    assert model.sds[2] > 0
+    assert (model.sds[0] > 0.01) == bends
+    assert model.sds[1] < 0.01
