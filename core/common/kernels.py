@@ -13,6 +13,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
+from itertools import pairwise
 from typing import Any, TypeVar, cast
 
 import numba
@@ -28,16 +29,17 @@ COMPILED: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract", "re
 """How all kernels are compiled: sums may be taken in another order, so that they run in vector registers; what is not finite stays
 so."""
 
+PARTS = 4
+"""Parts of a loop for each thread: some take longer than others."""
+
 choose_folder()
 
 
-def kernel(*, parallel: bool = False, makes_arrays: bool = True, releases: bool = False) -> Callable[[Function], Function]:
+def kernel(*, makes_arrays: bool = True, releases: bool = False) -> Callable[[Function], Function]:
     """Decorator of a loop compiled as ``COMPILED`` says.
 
     Parameters
     ----------
-    parallel
-        Spread over threads; every pass of its ``prange`` must have its own output.
     makes_arrays
         False for a loop that takes named tuples of arrays: numba counts a reference wherever an array is taken out of a tuple, which can
         take longer than the work itself. Without counting a loop can make no arrays; they are passed to it.
@@ -45,7 +47,7 @@ def kernel(*, parallel: bool = False, makes_arrays: bool = True, releases: bool 
         Other threads of Python go on meanwhile.
     """
     options = COMPILED if makes_arrays else COMPILED | {"_nrt": False}
-    compiled = numba.njit(parallel=parallel, nogil=releases, **options)
+    compiled = numba.njit(nogil=releases, **options)
     return cast(Callable[[Function], Function], lambda function: keep_compiled(compiled(function)))
 
 
@@ -66,7 +68,7 @@ def compiled_for(loop: Function, *examples: object) -> Function:
 
 @contextmanager
 def threads_of_kernels(count: int) -> Iterator[None]:
-    """Let parallel kernels use at most ``count`` threads meanwhile."""
+    """Let :func:`in_parts` and :func:`side_by_side` use at most ``count`` threads meanwhile."""
     before = numba.get_num_threads()
     numba.set_num_threads(min(count, before))
     try:
@@ -75,12 +77,27 @@ def threads_of_kernels(count: int) -> Iterator[None]:
         numba.set_num_threads(before)
 
 
+def in_parts(loop: Callable[..., None], count: int, *arguments: object) -> None:
+    """Call a kernel for parts of its passes, ``loop(first, last, *arguments)``, side by side on as many threads as kernels may use.
+
+    The kernel lets other threads go on (``releases``), and every pass has its own output. numba's own way, ``prange``, takes a third
+    more time to compile, and takes ``reach *= 2.0`` in a pass for a product over all passes.
+    """
+    threads = numba.get_num_threads()
+    if threads == 1 or count < 2:
+        loop(0, count, *arguments)
+        return
+    parts = min(count, PARTS * threads)
+    edges = [count * k // parts for k in range(parts + 1)]
+    for _ in side_by_side(lambda part: loop(*part, *arguments), pairwise(edges)):
+        pass
+
+
 def side_by_side(work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
     """What ``work`` makes of each item, in the order of the items, on as many threads as kernels may use.
 
     Items are drawn by the caller's thread, at most one more than there are threads ahead of the results. It pays where most of the work
-    is in large arrays, linear algebra and kernels that let other threads of Python go on (``releases``); parallel kernels must not be
-    called in it.
+    is in large arrays, linear algebra and kernels that let other threads of Python go on (``releases``).
     """
     threads = numba.get_num_threads()
     if threads == 1:

@@ -8,11 +8,10 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import prange
 from scipy.spatial import cKDTree
 
 from ..common.arrays import BoolArray, FloatArray
-from ..common.kernels import kernel
+from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import gather
 from ..model.unit_types import UnitType
 from .cone_relation import ConeShape
@@ -96,7 +95,9 @@ def poses_from_single_legs(legs: Legs, scene: Scene, active: BoolArray, *, twist
         np.ascontiguousarray(legs.axis), np.ascontiguousarray(legs.centre), np.clip(2.5 * legs.centre_sd, 0.06 * height, 0.24 * height)
     )
     shape = ConeShape.of(scene.unit)
-    poses = np.asarray(_twist_search(starts, scene.points, active, scene.grid, shape, scene.tolerance, twists))
+    count = len(starts[0])
+    poses = np.zeros((twists * count, 12))
+    in_parts(_twist_search, count, starts, scene.points, active, scene.grid, shape, scene.tolerance, twists, poses)
     return np.asarray(poses[poses[:, 3:].any(axis=1)])
 
 
@@ -122,15 +123,16 @@ def twist_support(local: Any, turned: Any, shift: float, radius: float, gradient
     return total
 
 
-@kernel(parallel=True)
-def _twist_search(starts: Any, points: Any, active: Any, grid: Any, shape: Any, tolerance: float, most: int) -> Any:
-    """Best poses (most * n, 12) about each of n legs over shift and twist; zeros where a twist is worse than those before."""
+@kernel(releases=True)
+def _twist_search(
+    first: int, last: int, starts: Any, points: Any, active: Any, grid: Any, shape: Any, tolerance: float, most: int, out: Any
+) -> None:
+    """Best poses about each of n legs over shift and twist into ``out`` (most * n, 12), left at zero where a twist is worse than those
+    before."""
     axes, centres, reaches = starts
     legs, radius, gradient, length, height = shape
-    n = len(axes)
-    out = np.zeros((most * n, 12))
     twists = TWISTS
-    for i in prange(n):
+    for i in range(first, last):
         near = gather(points, active, (centres[i, 0], centres[i, 1], centres[i, 2]), 0.85 * height, grid, np.int64(TWIST_SAMPLE))
         m = len(near)
         e30, e31, e32 = axes[i, 0], axes[i, 1], axes[i, 2]
@@ -150,7 +152,7 @@ def _twist_search(starts: Any, points: Any, active: Any, grid: Any, shape: Any, 
         of_twist = np.full(twists, -1e300)
         shift_of_twist = np.zeros(twists)
         turned = np.empty((4, 3))
-        first = 0
+        widest = 0
         for t in range(twists):
             angle = t * (2.0 * np.pi / 3.0) / twists
             ca = np.cos(angle)
@@ -174,9 +176,9 @@ def _twist_search(starts: Any, points: Any, active: Any, grid: Any, shape: Any, 
                     best[0], best_z[0], best_t[0] = total, shift, angle
                 elif total > best[1] and far > 0.0:
                     best[1], best_z[1], best_t[1] = total, shift, angle
-            first = t if of_twist[t] > of_twist[first] else first
+            widest = t if of_twist[t] > of_twist[widest] else widest
         for w in range(2, most):
-            t = (first + (w - 1) * twists // 4) % twists
+            t = (widest + (w - 1) * twists // 4) % twists
             best_t[w] = t * (2.0 * np.pi / 3.0) / twists
             # a twist that is worse is left as zeros
             best_z[w] = shift_of_twist[t] if of_twist[t] >= ABOUT_AS_GOOD * best[0] else np.inf
@@ -189,4 +191,3 @@ def _twist_search(starts: Any, points: Any, active: Any, grid: Any, shape: Any, 
             for a, (e1, e2, e3) in enumerate(((e10, e20, e30), (e11, e21, e31), (e12, e22, e32))):
                 pose[a] = centres[i, a] + best_z[w] * e3
                 pose[3 + 3 * a], pose[4 + 3 * a], pose[5 + 3 * a] = ca * e1 + sa * e2, ca * e2 - sa * e1, e3
-    return out

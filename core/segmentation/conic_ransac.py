@@ -12,10 +12,9 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import prange
 
 from ..common.arrays import BoolArray, FloatArray, IntArray, corners
-from ..common.kernels import kernel
+from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import gather
 from ..common.positive_definite import factorise, solve_factorised
 from .cone_relation import OrientedPoints
@@ -89,7 +88,8 @@ def find_legs(scene: Scene, active: BoolArray, seed: int) -> Legs:
     seeds = spread(scene.points, np.flatnonzero(active & (scene.curved >= 0)), SEED_SPACING_RATIO * unit.height)
     cone = _NominalCone(float(unit.radius), float(unit.gradient), float(unit.leg_length), NEIGHBOURHOOD_RATIO * unit.height)
     elements = OrientedPoints(scene.points, scene.normals, scene.curved)
-    found = _search(elements, active, seeds, scene.grid, cone, scene.tolerance, seed)
+    found = np.zeros((len(seeds), 8))
+    in_parts(_search, len(seeds), elements, active, seeds, scene.grid, cone, scene.tolerance, seed, found)
     good = found[:, 7] > 0
     order = np.argsort(-found[good, 7], kind="stable")
     found = found[good][order]
@@ -313,15 +313,17 @@ def _fit_cone(near: Any, gradient: float, tolerance: float, cone: Any) -> Any:
     return support, reached, 0.0, 0.0
 
 
-@kernel(parallel=True)
-def _search(elements: Any, active: Any, seeds: Any, grid: Any, nominal: Any, tolerance: float, seed: int) -> Any:
-    """Leg about each seed, (k, 8): axis (3), centre (3), its standard deviation along the axis, support; all 0 where there is none."""
+@kernel(releases=True)
+def _search(
+    first: int, last: int, elements: Any, active: Any, seeds: Any, grid: Any, nominal: Any, tolerance: float, seed: int, out: Any
+) -> None:
+    """Leg about each seed into ``out`` (k, 8): axis (3), centre (3), its standard deviation along the axis, support; left at 0 where there
+    is none."""
     points, normals, curved = elements
     radius, gradient, length, reach = nominal
-    out = np.zeros((len(seeds), 8))
     rho_low = (radius - gradient * length) * 0.93
     rho_high = radius * 0.97
-    for s in prange(len(seeds)):
+    for s in range(first, last):
         middle = points[seeds[s]]
         found = gather(points, active, (middle[0], middle[1], middle[2]), reach, grid, np.int64(MOST_NEIGHBOURS))
         m = len(found)
@@ -352,7 +354,6 @@ def _search(elements: Any, active: Any, seeds: Any, grid: Any, nominal: Any, tol
             out[s, 3 + a] = middle[a] + cone[3 + a] - z * cone[a]
         out[s, 6] = sd_rho / gradient
         out[s, 7] = support * support / reached
-    return out
 
 
 @kernel()

@@ -14,12 +14,11 @@ from functools import lru_cache
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
-from numba import prange
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
-from ..common.kernels import kernel
+from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import build_grid, point_tree
 from ..common.voxels import thin
 from ..model.tetrapod import distance_to_surface, surface_area
@@ -308,7 +307,8 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
     )
     trial = _Trial(kind=kind, samples=_samples(unit), rotations=_rotations(), most=MOST_OVERLAP, tolerance=tolerance)
     neighbours = _packed(armour.tree.query_ball_point(places, REACH_HEIGHTS * armour.height))
-    turns = _fits(places, others, neighbours, elements, _packed(tree.query_ball_point(places, reach)), trial)
+    turns = np.full(len(places), -1, dtype=np.int64)
+    in_parts(_fits, len(places), places, others, neighbours, elements, _packed(tree.query_ball_point(places, reach)), trial, turns)
     fitting = turns >= 0
     starts = np.column_stack([places, _rotations()[turns].reshape(-1, 9)])
     # least squares tell a unit from rock better than one of a few orientations
@@ -353,9 +353,9 @@ def _rotations() -> FloatArray:
     return np.asarray(Rotation.random(ROTATIONS, random_state=0).as_matrix())
 
 
-@kernel(parallel=True)
-def _fits(places: Any, others: Any, around: Any, elements: Any, beside: Any, trial: Any) -> Any:
-    """(n,) for each place the number of the orientation that fits and that the elements like best, -1 where none fits.
+@kernel(releases=True)
+def _fits(first: int, last: int, places: Any, others: Any, around: Any, elements: Any, beside: Any, trial: Any, out: Any) -> None:
+    """Into ``out`` (n,) the number of the orientation that fits each place and that the elements like best; as it was where none fits.
 
     ``around`` and ``beside`` are the units and the elements near each place.
     """
@@ -363,11 +363,10 @@ def _fits(places: Any, others: Any, around: Any, elements: Any, beside: Any, tri
     starts, neighbours = around
     element_starts, near = beside
     kind, samples, rotations, most, tolerance = trial
-    out = np.full(len(places), -1, dtype=np.int64)
     limit = int(most * len(samples))
     # square of the distance from the centre to the rim of an end disc
     farthest = shapes[:, 2] ** 2 + (shapes[:, 0] - shapes[:, 1] * shapes[:, 2]) ** 2
-    for i in prange(len(places)):
+    for i in range(first, last):
         best = -1e300
         for r in range(len(rotations)):
             turn = rotations[r]
@@ -410,4 +409,3 @@ def _fits(places: Any, others: Any, around: Any, elements: Any, beside: Any, tri
             if entered <= limit:
                 best = on - 3 * inside
                 out[i] = r
-    return out

@@ -6,10 +6,9 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import prange
 
 from ..common.arrays import BoolArray, FloatArray
-from ..common.kernels import kernel
+from ..common.kernels import in_parts, kernel
 from ..model.tetrapod import EDGE_RATIO, TIP_RATIO, across_legs
 from ..model.unit_types import UnitType
 from .cone_relation import FEW_POSES, ConeShape, OrientedPoints, crease_distance, normal_at, relate_point, surely_farther
@@ -58,7 +57,9 @@ def evidence(poses: FloatArray, scene: Scene, active: BoolArray) -> Evidence:
     blurred = max(seen * LEAST_RADIUS_RATIO * scene.unit.height, _blurred(scene))
     limits = _Limits(scene.tolerance, seen, blurred, _across(scene.unit))
     if len(poses) > FEW_POSES:
-        return Evidence(np.asarray(_evidence_of_many(poses, elements, active, scene.grid, shape, limits)))
+        out = np.zeros((len(poses), len(COLUMNS)))
+        in_parts(_evidence_of_many, len(poses), out, poses, elements, active, scene.grid, shape, limits)
+        return Evidence(out)
     table = np.zeros((len(poses), len(COLUMNS)))
     for pose, row in zip(poses, table, strict=True):
         _evidence_of_one(row, pose, elements, active, scene.grid, shape, limits)
@@ -79,12 +80,10 @@ def _blurred(scene: Scene) -> float:
     return float(np.clip((ratio - BLURRED_FROM) / (BLURRED_WHOLLY - BLURRED_FROM), 0.0, 1.0)) * scene.normal_radius
 
 
-@kernel(parallel=True)
-def _evidence_of_many(poses: Any, elements: Any, active: Any, grid: Any, shape: Any, limits: Any) -> Any:
-    out = np.zeros((len(poses), len(COLUMNS)))
-    for i in prange(len(poses)):
+@kernel(releases=True)
+def _evidence_of_many(first: int, last: int, out: Any, poses: Any, elements: Any, active: Any, grid: Any, shape: Any, limits: Any) -> None:
+    for i in range(first, last):
         _evidence_of_one(out[i], poses[i], elements, active, grid, shape, limits)
-    return out
 
 
 @kernel()

@@ -5,10 +5,9 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import prange
 
 from ..common.arrays import BoolArray, FloatArray
-from ..common.kernels import kernel
+from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import gather
 from ..common.positive_definite import factorise, solve_factorised
 from .cone_relation import FEW_POSES, ConeShape, OrientedPoints
@@ -33,16 +32,18 @@ def refine(poses: FloatArray, scene: Scene, active: BoolArray, *, most: int = 50
     out = poses.copy()
     shape, elements, effort = ConeShape.of(scene.unit), OrientedPoints(scene.points, scene.normals, scene.curved), _Effort(most, sweeps)
     if len(out) > FEW_POSES:
-        _refine_many(out, elements, active, scene.grid, shape, scene.tolerance, effort)
+        in_parts(_refine_many, len(out), out, elements, active, scene.grid, shape, scene.tolerance, effort)
     else:
         for pose in out:
             _refine_one(pose, elements, active, scene.grid, shape, scene.tolerance, effort)
     return out
 
 
-@kernel(parallel=True)
-def _refine_many(poses: Any, elements: Any, active: Any, grid: Any, shape: Any, tolerance: float, effort: Any) -> None:
-    for i in prange(len(poses)):
+@kernel(releases=True)
+def _refine_many(
+    first: int, last: int, poses: Any, elements: Any, active: Any, grid: Any, shape: Any, tolerance: float, effort: Any
+) -> None:
+    for i in range(first, last):
         _refine_one(poses[i], elements, active, grid, shape, tolerance, effort)
 
 

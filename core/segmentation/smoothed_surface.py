@@ -11,10 +11,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import prange
 
 from ..common.arrays import FloatArray
-from ..common.kernels import kernel
+from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import build_grid, gather
 from ..common.positive_definite import factorise, solve_factorised
 from ..common.voxels import thin
@@ -58,7 +57,8 @@ def smoothed(points: FloatArray, elements: SurfaceElements, height: float) -> Su
     places = elements.points
     for _ in range(ROUNDS):
         places, _ = thin(places, THINNING_RATIO * height)
-        patches = np.asarray(_patches(points, every, places, radius, elements.noise, grid))
+        patches = np.full((len(places), 10), np.nan)
+        in_parts(_patches, len(places), points, every, places, radius, elements.noise, grid, patches)
         if np.median(patches[:, 9]) < ENOUGH_POINTS:
             return elements
         patches = patches[np.isfinite(patches[:, 0])]
@@ -76,11 +76,11 @@ def smoothed(points: FloatArray, elements: SurfaceElements, height: float) -> Su
     )
 
 
-@kernel(parallel=True)
-def _patches(points: Any, every: Any, places: Any, radius: float, noise: float, grid: Any) -> Any:
-    """Rows (k, 10) by place: where the surface passes it, normal, bend and its sd, sd of the first, points; not finite without one."""
-    out = np.full((len(places), 10), np.nan)
-    for i in prange(len(places)):
+@kernel(releases=True)
+def _patches(first: int, last: int, points: Any, every: Any, places: Any, radius: float, noise: float, grid: Any, out: Any) -> None:
+    """Rows (k, 10) of ``out`` by place: where the surface passes it, normal, bend and its sd, sd of the first, points; as they were without
+    one."""
+    for i in range(first, last):
         near = gather(points, every, (places[i, 0], places[i, 1], places[i, 2]), radius, grid, np.int64(MOST_POINTS))
         out[i, 9] = len(near)
         if len(near) < FEWEST_POINTS:
@@ -101,7 +101,6 @@ def _patches(points: Any, every: Any, places: Any, radius: float, noise: float, 
         out[i, 6] = 0.5 * (solution[3] + solution[5]) / radius
         out[i, 7] = 0.5 * np.sqrt(max(covariance[3, 3] + covariance[5, 5] + 2.0 * covariance[3, 5], 0.0)) * noise / radius**2
         out[i, 8] = np.sqrt(covariance[0, 0]) * noise
-    return out
 
 
 @kernel()

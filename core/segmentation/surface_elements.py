@@ -10,12 +10,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numba import prange
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray
-from ..common.kernels import kernel
+from ..common.kernels import in_parts, kernel
 from ..common.least_axis import least_axis
 from ..common.neighbourhood import build_grid, gather, point_tree
 from ..common.voxels import thin
@@ -120,7 +119,8 @@ def _bends(points: FloatArray, radius: float, height: float) -> tuple[FloatArray
     reach = BEND_RADIUS_RATIO * height
     grid = build_grid(points, 0.5 * reach)
     every = np.ones(len(points), dtype=np.bool_)
-    normals, bend, bend_sd = _normals(points, every, radius, reach, grid)
+    normals, bend, bend_sd = np.empty((len(points), 3)), np.empty(len(points)), np.empty(len(points))
+    in_parts(_normals, len(points), points, every, radius, reach, grid, normals, bend, bend_sd)
     return normals, bend, bend_sd
 
 
@@ -167,14 +167,12 @@ def _noise_of(points: FloatArray, tree: cKDTree, height: float, workers: int) ->
     return float(np.sqrt(np.percentile(variance, SMOOTH_PERCENTILE))), float(np.median(distance[near, -1]))
 
 
-@kernel(parallel=True)
-def _normals(points: Any, every: Any, radius: float, bend_radius: float, grid: Any) -> Any:
+@kernel(releases=True)
+def _normals(
+    first: int, last: int, points: Any, every: Any, radius: float, bend_radius: float, grid: Any, normals: Any, bend: Any, bend_sd: Any
+) -> None:
     """Normal of every point, bend of the surface away from the tangent plane, and its standard deviation."""
-    n = len(points)
-    normals = np.zeros((n, 3))
-    bend = np.zeros(n)
-    bend_sd = np.zeros(n)
-    for i in prange(n):
+    for i in range(first, last):
         reach = bend_radius
         middle = (points[i, 0], points[i, 1], points[i, 2])
         near = gather(points, every, middle, reach, grid, np.int64(MOST_NEIGHBOURS))
@@ -230,5 +228,4 @@ def _normals(points: Any, every: Any, radius: float, bend_radius: float, grid: A
             rest = shh - sh * sh / count - bend[i] ** 2 * spread
             bend_sd[i] = np.sqrt(max(rest, 0.0) / (count - 2) / spread)
         else:
-            bend_sd[i] = np.inf
-    return normals, bend, bend_sd
+            bend[i], bend_sd[i] = 0.0, np.inf

@@ -11,11 +11,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import prange
 from scipy.spatial import cKDTree
 
 from ..common.arrays import BoolArray, FloatArray
-from ..common.kernels import kernel
+from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import gather
 from ..common.voxels import thin
 from .assembly import twist_support
@@ -49,20 +48,19 @@ def poses_about_elements(scene: Scene, active: BoolArray, known: FloatArray) -> 
         return np.zeros((0, 12))
     _, voxel = thin(scene.points[where], SEED_RATIO * height)
     seeds = where[np.unique(voxel, return_index=True)[1]]
-    poses = np.asarray(
-        _search(seeds, (scene.points, scene.normals, scene.curved), active, scene.grid, ConeShape.of(scene.unit), scene.tolerance)
-    )
+    poses = np.zeros((KEPT * len(seeds), 12))
+    elements = scene.points, scene.normals, scene.curved
+    in_parts(_search, len(seeds), seeds, elements, active, scene.grid, ConeShape.of(scene.unit), scene.tolerance, poses)
     return np.asarray(poses[poses[:, 3:].any(axis=1)])
 
 
-@kernel(parallel=True)
-def _search(seeds: Any, elements: Any, active: Any, grid: Any, shape: Any, tolerance: float) -> Any:
-    """Best poses (KEPT * n, 12) about each of n elements; zeros where hardly any element supports one."""
+@kernel(releases=True)
+def _search(first: int, last: int, seeds: Any, elements: Any, active: Any, grid: Any, shape: Any, tolerance: float, out: Any) -> None:
+    """Best poses about each of n elements into ``out`` (KEPT * n, 12), left at zero where hardly any element supports one."""
     points, normals, curved = elements
     legs, radius, gradient, length, height = shape
-    out = np.zeros((KEPT * len(seeds), 12))
     slant = 1.0 / np.sqrt(1.0 + gradient * gradient)
-    for i in prange(len(seeds)):
+    for i in range(first, last):
         seed = seeds[i]
         place = (points[seed, 0], points[seed, 1], points[seed, 2])
         near = gather(points, active, place, REACH * height, grid, np.int64(SAMPLE))
@@ -108,18 +106,17 @@ def _search(seeds: Any, elements: Any, active: Any, grid: Any, shape: Any, toler
                         if total <= best[KEPT - 1]:
                             continue
                         # the first is replaced by what is better, and goes to the second where the axes differ
-                        first, second = KEPT * i, KEPT * i + 1
-                        same = out[first, 5] * axis[0] + out[first, 8] * axis[1] + out[first, 11] * axis[2] > 0.9
-                        at = first if total > best[0] else second
-                        if at == second and same:
+                        one, two = KEPT * i, KEPT * i + 1
+                        same = out[one, 5] * axis[0] + out[one, 8] * axis[1] + out[one, 11] * axis[2] > 0.9
+                        at = one if total > best[0] else two
+                        if at == two and same:
                             continue
-                        if at == first and not same:
+                        if at == one and not same:
                             best[1] = best[0]
-                            out[second] = out[first]
-                        best[at - first] = total
+                            out[two] = out[one]
+                        best[at - one] = total
                         for a in range(3):
                             out[at, a] = place[a] - along * axis[a] - rho * radial[a]
                             out[at, 3 + 3 * a] = c * radial[a] + s * across[a]
                             out[at, 4 + 3 * a] = -s * radial[a] + c * across[a]
                             out[at, 5 + 3 * a] = axis[a]
-    return out
