@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,11 +53,23 @@ class CastSurfaces:
         """Standard deviation of single points about :meth:`expected`, metres, noise apart."""
         return math.sqrt(self.model.own + float(self.model.variances[-2:].sum()))
 
-    def reduced(self, unit: int, normal: FloatArray, rhs: FloatArray, sightings: Sequence[CellSums]) -> Eliminated:
-        """Normal equations of a unit without the deviations of its cells; nothing is changed, so that units may be reduced side by side."""
+    def reduced(self, unit: int, normal: FloatArray, rhs: FloatArray, sightings: Sequence[CellSums], tied: Sequence[bool]) -> Eliminated:
+        """Normal equations of a unit without the deviations of its cells; nothing is changed, so that units may be reduced side by side.
+
+        Sightings that are not ``tied``, never all, have a surface of their own, as if of another casting: which cells they show is unknown.
+        """
         known = [own.astype(np.float64) * MILLIMETRE**2 for own in self._own.get(unit, ())]
         apart = self._apart[unit].astype(np.float64) * MILLIMETRE**2 if self.learned and unit in self._apart else None
-        return eliminate(normal, rhs, sightings, self.model, self._covariance, known, apart)
+        own = [np.zeros(0)] * len(sightings)
+        results: list[Eliminated] = []
+        for group in [np.flatnonzero(tied), *np.flatnonzero(~np.asarray(tied))[:, None]]:
+            seen, variances = [sightings[k] for k in group], [known[k] for k in group] if known else None
+            found = eliminate(normal, rhs, seen, self.model, self._covariance, variances, None if results else apart)
+            normal, rhs = found.normal, found.rhs
+            for k, variance in zip(group, found.own, strict=True):
+                own[k] = variance
+            results.append(found)
+        return replace(results[0], normal=normal, rhs=rhs, own=tuple(own))
 
     def keep(self, unit: int, scale: float, found: Eliminated, sightings: Sequence[CellSums], unknowns: int) -> None:
         """Keep what the reduction of a unit of relative size 1 + ``scale`` found of its surface.

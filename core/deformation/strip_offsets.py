@@ -28,7 +28,7 @@ from ..adjustment.shape_effects import CELLS, LEG_CELLS, CellSums, Eliminated
 from ..common.arrays import FloatArray
 from ..common.kernels import side_by_side
 from ..common.robust import MAD_TO_SD, TUKEY
-from ..model.mould import Mould
+from ..model.mould import AZIMUTH_CELLS, Mould
 from ..model.pose import Pose
 from ..model.tetrapod import TIP_RATIO, leg_frame
 from ..model.unit_types import UnitType
@@ -48,6 +48,9 @@ CONVERGED = 0.01
 
 LEARNING_ITERATIONS = (1, 3)
 """After which the surfaces of the units are learned, with the poses as they are then."""
+
+OPEN_TURN = math.pi / AZIMUTH_CELLS
+"""Standard deviation of a turn, half the width of a cell, from which it is not known which cells of a leg a sighting shows."""
 
 UNKNOWN_NOISE_RATIO = 0.005
 """Noise over the height of a unit where no epoch holds enough points to estimate it."""
@@ -119,6 +122,7 @@ class _JointSolver:
         self.noise = np.full(max(self.epochs, 1), math.nan)
         self.surface_sd = 0.0
         self.used = np.zeros(len(self.sightings), dtype=np.int64)
+        self.open = np.zeros(len(self.sightings), dtype=np.bool_)
         shapes = sorted({s.shape for s in self.sightings}, key=repr)
         self.surfaces = {shape: CastSurfaces(shape.height, moulds.get(shape)) for shape in shapes}
 
@@ -193,6 +197,8 @@ class _JointSolver:
         normal, rhs = np.zeros((size, size)), np.zeros(size)
         surface = self.surfaces[self.sightings[members[0]].shape]
         cells = []
+        # epochs that show the same leg alone see mostly the same side of it: tied, what they share cancels in their difference
+        tied = [bool(not self.open[k] or self.open[list(members)].all()) for k in members]
         for body, (k, seen) in enumerate(zip(members, sightings, strict=True)):
             local = np.searchsorted(touched, seen.strips)
             noise = float(self.noise[self.sightings[k].epoch])
@@ -203,13 +209,13 @@ class _JointSolver:
             self.used[k] = accumulate(
                 seen,
                 (noise, limit, kept_share(limit)),
-                surface.expected(unit),
+                surface.expected(unit) if tied[body] else surface.model.mean,
                 (normal, rhs),
                 (sums.rows, sums.weight, sums.rhs, sums.square),
                 (body, n_pose, local),
             )
             cells.append(sums)
-        found = surface.reduced(unit, normal, rhs, cells)
+        found = surface.reduced(unit, normal, rhs, cells, tied)
         normal, rhs = found.normal, found.rhs
         mean, sd = (surface.model.size_mean, surface.model.size_sd) if self.scale_sd is None else (0.0, max(self.scale_sd, 1e-9))
         normal[n_pose, n_pose] += 1 / sd**2
@@ -289,6 +295,10 @@ class _JointSolver:
             surface = self.surfaces[self.sightings[self.order[unit][0]].shape]
             surface.keep(unit, self.scales[unit], reduction.surface, reduction.cells, len(reduction.block.rhs))
             blocks[unit] = reduction.block
+            covariance = reduction.block.inverse
+            for body, k in enumerate(self.order[unit]):
+                turn = slice(6 * body + 3, 6 * body + 6)
+                self.open[k] |= math.sqrt(float(np.linalg.eigvalsh(covariance[turn, turn])[-1])) > OPEN_TURN
         return blocks
 
     def strip_system(self, blocks: Mapping[int, UnitBlock]) -> StripSystem:
