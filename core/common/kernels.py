@@ -77,19 +77,19 @@ def threads_of_kernels(count: int) -> Iterator[None]:
         numba.set_num_threads(before)
 
 
-def in_parts(loop: Callable[..., None], count: int, *arguments: object) -> None:
-    """Call a kernel for parts of its passes, ``loop(first, last, *arguments)``, side by side on as many threads as kernels may use.
+def in_parts(loop: Callable[[int, int], None], count: int) -> None:
+    """Call a kernel for parts of its passes, ``loop(first, last)``, side by side on as many threads as kernels may use.
 
-    The kernel lets other threads go on (``releases``), and every pass has its own output. numba's own way, ``prange``, takes a third
-    more time to compile, and takes ``reach *= 2.0`` in a pass for a product over all passes.
+    The kernel, whose other values are bound by name, lets other threads go on (``releases``), and every pass has its own output. numba's
+    own way, ``prange``, takes a third more time to compile, and takes ``reach *= 2.0`` in a pass for a product over all passes.
     """
     threads = numba.get_num_threads()
     if threads == 1 or count < 2:
-        loop(0, count, *arguments)
+        loop(0, count)
         return
     parts = min(count, PARTS * threads)
     edges = [count * k // parts for k in range(parts + 1)]
-    for _ in side_by_side(lambda part: loop(*part, *arguments), pairwise(edges)):
+    for _ in side_by_side(lambda part: loop(*part), pairwise(edges)):
         pass
 
 

@@ -5,6 +5,7 @@ Poses are rows of 12 numbers, see :mod:`.cone_relation`.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -97,7 +98,18 @@ def poses_from_single_legs(legs: Legs, scene: Scene, active: BoolArray, *, twist
     shape = ConeShape.of(scene.unit)
     count = len(starts[0])
     poses = np.zeros((twists * count, 12))
-    in_parts(_twist_search, count, starts, scene.points, active, scene.grid, shape, scene.tolerance, twists, poses)
+    passes = partial(
+        _twist_search,
+        starts=starts,
+        points=scene.points,
+        active=active,
+        grid=scene.grid,
+        shape=shape,
+        tolerance=scene.tolerance,
+        most=twists,
+        out=poses,
+    )
+    in_parts(passes, count)
     return np.asarray(poses[poses[:, 3:].any(axis=1)])
 
 

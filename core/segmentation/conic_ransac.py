@@ -9,6 +9,7 @@ to units decides that (module ``assembly``).
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -89,7 +90,18 @@ def find_legs(scene: Scene, active: BoolArray, seed: int) -> Legs:
     cone = _NominalCone(float(unit.radius), float(unit.gradient), float(unit.leg_length), NEIGHBOURHOOD_RATIO * unit.height)
     elements = OrientedPoints(scene.points, scene.normals, scene.curved)
     found = np.zeros((len(seeds), 8))
-    in_parts(_search, len(seeds), elements, active, seeds, scene.grid, cone, scene.tolerance, seed, found)
+    passes = partial(
+        _search,
+        elements=elements,
+        active=active,
+        seeds=seeds,
+        grid=scene.grid,
+        nominal=cone,
+        tolerance=scene.tolerance,
+        seed=seed,
+        out=found,
+    )
+    in_parts(passes, len(seeds))
     good = found[:, 7] > 0
     order = np.argsort(-found[good, 7], kind="stable")
     found = found[good][order]

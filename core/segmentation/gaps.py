@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -308,7 +308,9 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
     trial = _Trial(kind=kind, samples=_samples(unit), rotations=_rotations(), most=MOST_OVERLAP, tolerance=tolerance)
     neighbours = _packed(armour.tree.query_ball_point(places, REACH_HEIGHTS * armour.height))
     turns = np.full(len(places), -1, dtype=np.int64)
-    in_parts(_fits, len(places), places, others, neighbours, elements, _packed(tree.query_ball_point(places, reach)), trial, turns)
+    beside = _packed(tree.query_ball_point(places, reach))
+    passes = partial(_fits, places=places, others=others, around=neighbours, elements=elements, beside=beside, trial=trial, out=turns)
+    in_parts(passes, len(places))
     fitting = turns >= 0
     starts = np.column_stack([places, _rotations()[turns].reshape(-1, 9)])
     # least squares tell a unit from rock better than one of a few orientations

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -58,7 +58,10 @@ def evidence(poses: FloatArray, scene: Scene, active: BoolArray) -> Evidence:
     limits = _Limits(scene.tolerance, seen, blurred, _across(scene.unit))
     if len(poses) > FEW_POSES:
         out = np.zeros((len(poses), len(COLUMNS)))
-        in_parts(_evidence_of_many, len(poses), out, poses, elements, active, scene.grid, shape, limits)
+        passes = partial(
+            _evidence_of_many, out=out, poses=poses, elements=elements, active=active, grid=scene.grid, shape=shape, limits=limits
+        )
+        in_parts(passes, len(poses))
         return Evidence(out)
     table = np.zeros((len(poses), len(COLUMNS)))
     for pose, row in zip(poses, table, strict=True):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -32,7 +33,17 @@ def refine(poses: FloatArray, scene: Scene, active: BoolArray, *, most: int = 50
     out = poses.copy()
     shape, elements, effort = ConeShape.of(scene.unit), OrientedPoints(scene.points, scene.normals, scene.curved), _Effort(most, sweeps)
     if len(out) > FEW_POSES:
-        in_parts(_refine_many, len(out), out, elements, active, scene.grid, shape, scene.tolerance, effort)
+        passes = partial(
+            _refine_many,
+            poses=out,
+            elements=elements,
+            active=active,
+            grid=scene.grid,
+            shape=shape,
+            tolerance=scene.tolerance,
+            effort=effort,
+        )
+        in_parts(passes, len(out))
     else:
         for pose in out:
             _refine_one(pose, elements, active, scene.grid, shape, scene.tolerance, effort)

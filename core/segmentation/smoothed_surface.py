@@ -8,6 +8,7 @@ its standard deviation.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -58,7 +59,8 @@ def smoothed(points: FloatArray, elements: SurfaceElements, height: float) -> Su
     for _ in range(ROUNDS):
         places, _ = thin(places, THINNING_RATIO * height)
         patches = np.full((len(places), 10), np.nan)
-        in_parts(_patches, len(places), points, every, places, radius, elements.noise, grid, patches)
+        passes = partial(_patches, points=points, every=every, places=places, radius=radius, noise=elements.noise, grid=grid, out=patches)
+        in_parts(passes, len(places))
         if np.median(patches[:, 9]) < ENOUGH_POINTS:
             return elements
         patches = patches[np.isfinite(patches[:, 0])]

@@ -7,6 +7,7 @@ from the tangent plane tells outside from inside; where the surface is flat (end
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -120,7 +121,10 @@ def _bends(points: FloatArray, radius: float, height: float) -> tuple[FloatArray
     grid = build_grid(points, 0.5 * reach)
     every = np.ones(len(points), dtype=np.bool_)
     normals, bend, bend_sd = np.empty((len(points), 3)), np.empty(len(points)), np.empty(len(points))
-    in_parts(_normals, len(points), points, every, radius, reach, grid, normals, bend, bend_sd)
+    passes = partial(
+        _normals, points=points, every=every, radius=radius, bend_radius=reach, grid=grid, normals=normals, bend=bend, bend_sd=bend_sd
+    )
+    in_parts(passes, len(points))
     return normals, bend, bend_sd
 
 

@@ -8,6 +8,7 @@ seen, a sparse cloud holds some tens of elements on parts of two or three legs.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -50,7 +51,17 @@ def poses_about_elements(scene: Scene, active: BoolArray, known: FloatArray) -> 
     seeds = where[np.unique(voxel, return_index=True)[1]]
     poses = np.zeros((KEPT * len(seeds), 12))
     elements = scene.points, scene.normals, scene.curved
-    in_parts(_search, len(seeds), seeds, elements, active, scene.grid, ConeShape.of(scene.unit), scene.tolerance, poses)
+    passes = partial(
+        _search,
+        seeds=seeds,
+        elements=elements,
+        active=active,
+        grid=scene.grid,
+        shape=ConeShape.of(scene.unit),
+        tolerance=scene.tolerance,
+        out=poses,
+    )
+    in_parts(passes, len(seeds))
     return np.asarray(poses[poses[:, 3:].any(axis=1)])
 
 
