@@ -24,7 +24,7 @@ import numpy as np
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.kernels import kernel
-from ..common.positive_definite import factorise, substitute_back, whiten_columns
+from ..common.positive_definite import factorise, inverse_diagonal, substitute_back, whiten_columns
 from ..model.mould import AXIAL_CELLS, AZIMUTH_CELLS, DISC_CELLS, THIRD, Mould
 from ..model.unit_types import UnitType
 
@@ -314,18 +314,11 @@ def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any,
         whiten_columns(factor, own)
         solved = own[:, columns - 1].copy()
         substitute_back(factor, solved)
-        column = np.empty(stop - start)
+        inverse = inverse_diagonal(factor)
         for a in range(stop - start):
-            precision = 0.0
-            for b in range(a, stop - start):
-                total = 1.0 if a == b else 0.0
-                for k in range(a, b):
-                    total -= factor[b, k] * column[k]
-                column[b] = total / factor[b, b]
-                precision += column[b] * column[b]
-            cell = cells[start + a]
-            known = 1.0 / (root[start + a] ** 2 * precision) - lone[cell]
-            left = solved[a] / (root[start + a] * precision)
+            cell, precision = cells[start + a], root[start + a] * inverse[a]
+            known = 1.0 / (root[start + a] * precision) - lone[cell]
+            left = solved[a] / precision
             beyond[cell] = known * max((left * left / known - 1.0) / (OWN_DEGREES + 1.0), 0.0)
         for a in range(stop - start):
             solved[a] *= root[start + a]

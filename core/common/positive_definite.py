@@ -1,4 +1,4 @@
-"""Small positive definite systems in compiled loops.
+"""Small positive definite matrices: systems in compiled loops, and what a covariance leaves open.
 
 numba's `np.linalg.solve` calls LAPACK, which costs more than the arithmetic where there are five or six unknowns, and its texts of
 errors take a loop seconds to compile.
@@ -9,6 +9,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
+from .arrays import FloatArray
 from .kernels import kernel
 
 
@@ -55,3 +58,23 @@ def whiten_columns(factor: Any, right: Any) -> None:
                 right[a, c] -= factor[a, k] * right[k, c]
         for c in range(right.shape[1]):
             right[a, c] /= factor[a, a]
+
+
+@kernel()
+def inverse_diagonal(factor: Any) -> Any:
+    """(n,) diagonal of the inverse of the matrix, by what :func:`factorise` left."""
+    n = factor.shape[0]
+    column, diagonal = np.empty(n), np.zeros(n)
+    for a in range(n):
+        for b in range(a, n):
+            total = 1.0 if a == b else 0.0
+            for k in range(a, b):
+                total -= factor[b, k] * column[k]
+            column[b] = total / factor[b, b]
+            diagonal[a] += column[b] * column[b]
+    return diagonal
+
+
+def largest_sd(covariance: FloatArray) -> float:
+    """Standard deviation in the worst direction of a (n, n) covariance, in the unit of its unknowns."""
+    return math.sqrt(max(float(np.linalg.eigvalsh(covariance)[-1]), 0.0))

@@ -16,6 +16,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.linalg import block_diag
 
+from ..common.positive_definite import largest_sd
 from ..model.feature_points import body_features
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
@@ -79,7 +80,7 @@ def _at_rest(
 
 def _largest_sd(state: TrackedUnit) -> float:
     """Standard deviation of the centre in its worst direction, metres; inf without a pose."""
-    return math.inf if state.covariance is None else math.sqrt(max(np.linalg.eigvalsh(state.covariance[:3, :3])[-1], 0.0))
+    return math.inf if state.covariance is None else largest_sd(state.covariance[:3, :3])
 
 
 def _lever(shape: UnitType) -> float:

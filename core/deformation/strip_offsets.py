@@ -27,6 +27,7 @@ from scipy.spatial.transform import Rotation
 from ..adjustment.shape_effects import CELLS, LEG_CELLS, CellSums, Eliminated
 from ..common.arrays import FloatArray
 from ..common.kernels import side_by_side
+from ..common.positive_definite import largest_sd
 from ..common.robust import MAD_TO_SD, TUKEY
 from ..model.mould import AZIMUTH_CELLS, Mould
 from ..model.pose import Pose
@@ -298,7 +299,7 @@ class _JointSolver:
             covariance = reduction.block.inverse
             for body, k in enumerate(self.order[unit]):
                 turn = slice(6 * body + 3, 6 * body + 6)
-                self.open[k] |= math.sqrt(float(np.linalg.eigvalsh(covariance[turn, turn])[-1])) > OPEN_TURN
+                self.open[k] |= largest_sd(covariance[turn, turn]) > OPEN_TURN
         return blocks
 
     def strip_system(self, blocks: Mapping[int, UnitBlock]) -> StripSystem:

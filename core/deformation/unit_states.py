@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -10,6 +9,7 @@ import numpy as np
 
 from ..adjustment.shape_effects import PRIOR_SIZE_SD
 from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.positive_definite import largest_sd
 from ..common.robust import sd_of_deviations
 from ..model.unit_types import UnitType
 from .congruence import PoseCalibration
@@ -141,7 +141,7 @@ def doubted_where_open(
 
 def _is_open(covariance: FloatArray, shape: UnitType) -> bool:
     """Whether a (6, 6) covariance of a pose leaves its centre open."""
-    return math.sqrt(max(np.linalg.eigvalsh(covariance[:3, :3])[-1], 0.0)) > MOST_OPEN_HEIGHTS * shape.height
+    return largest_sd(covariance[:3, :3]) > MOST_OPEN_HEIGHTS * shape.height
 
 
 def _not_seen(state: str, scale: float) -> TrackedUnit:

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tetratrack.core.common.positive_definite import factorise, solve_factorised, substitute_back, whiten_columns
+from tetratrack.core.common.positive_definite import (
+    factorise,
+    inverse_diagonal,
+    largest_sd,
+    solve_factorised,
+    substitute_back,
+    whiten_columns,
+)
 
 
 @pytest.mark.parametrize("size", [1, 3, 5, 6])
@@ -30,6 +37,14 @@ def test_halves_of_a_solution_are_those_of_the_factor() -> None:
     substitute_back(factor, back)
     np.testing.assert_allclose(factor @ whitened, right, rtol=1e-9, atol=1e-12)
     np.testing.assert_allclose(factor.T @ back, right[:, 0], rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(inverse_diagonal(factor), np.diag(np.linalg.inv(root @ root.T)), rtol=1e-9)
+
+
+def test_the_worst_direction_of_a_covariance() -> None:
+    along = np.array([0.6, 0.8])
+    assert largest_sd(0.01 * np.eye(2) + 0.08 * np.outer(along, along)) == pytest.approx(0.3)
+    # round-off makes what is known without error a little negative
+    assert largest_sd(-1e-20 * np.eye(3)) == 0.0
 
 
 def test_only_the_lower_triangle_is_read() -> None:
