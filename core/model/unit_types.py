@@ -10,6 +10,7 @@ import math
 import re
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from itertools import permutations
 from typing import Literal
 
 import numpy as np
@@ -111,6 +112,22 @@ class UnitType:
         return _symmetries(self.opening)
 
     @cached_property
+    def leg_pairs(self) -> list[tuple[int, int]]:
+        """Ordered pairs of legs, 0 to 3, none of which a symmetry turns into another: 1 for the tetrahedral opening, 4 for the paper's."""
+        legs = self.leg_directions
+        # the leg in whose place each symmetry puts every leg
+        places = np.argmax(np.einsum("ij,sjk,lk->sli", legs, self.symmetries, legs), axis=2)
+        return [pair for pair in permutations(range(4), 2) if pair == min((int(to[pair[0]]), int(to[pair[1]])) for to in places)]
+
+    @cached_property
+    def numberings(self) -> FloatArray:
+        """(k, 3, 3) rotations that put legs as near as can be into other legs' places: one for each leg that leg 1 cannot be told from.
+
+        The first is the identity, which is all there is for the tetrahedral opening; 4 for the paper's, whose leg 1 stands at wider angles.
+        """
+        return _numberings(self.opening)
+
+    @cached_property
     def volume(self) -> float:
         """Volume of the union of the four frusta, m3."""
         return _volume(self.radius, self.gradient, self.leg_length, self.opening)
@@ -178,6 +195,18 @@ def _symmetries(opening: Opening) -> FloatArray:
         half_turns += [Rotation.from_rotvec(math.pi * b / np.linalg.norm(b)) for b in (legs[0] + legs[k] for k in (1, 2, 3))]
         turns = [h * t for h in half_turns for t in turns]
     matrices = np.array([t.as_matrix() for t in turns])
+    matrices.setflags(write=False)
+    return matrices
+
+
+@lru_cache(maxsize=None)
+def _numberings(opening: Opening) -> FloatArray:
+    from scipy.spatial.transform import Rotation
+
+    legs = leg_directions(opening)
+    others = () if opening == "tetrahedral" else (1, 2, 3)
+    # leg 1 and another change places, and so do the two that are left
+    matrices = np.array([np.eye(3), *(Rotation.align_vectors(legs[np.arange(4) ^ k], legs)[0].as_matrix() for k in others)])
     matrices.setflags(write=False)
     return matrices
 

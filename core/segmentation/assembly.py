@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ..common.arrays import BoolArray, FloatArray
+from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import gather
 from ..model.unit_types import UnitType
@@ -47,15 +47,21 @@ class _Hypotheses(NamedTuple):
 
 
 def poses_from_pairs(legs: Legs, unit: UnitType) -> FloatArray:
-    """Whole-unit poses from pairs of legs that meet at the unit's leg angle: (k, 12)."""
-    height = unit.height
+    """Whole-unit poses from pairs of legs that meet at an angle of the unit's legs: (k, 12)."""
     if len(legs.axis) < 2:
         return np.zeros((0, 12))
-    pairs = cKDTree(legs.centre).query_pairs(MEETING * height, output_type="ndarray")
+    pairs = cKDTree(legs.centre).query_pairs(MEETING * unit.height, output_type="ndarray")
+    return np.vstack([_poses_of_legs(legs, pairs, unit, numbers) for numbers in unit.leg_pairs])
+
+
+def _poses_of_legs(legs: Legs, pairs: IntArray, unit: UnitType, numbers: tuple[int, int]) -> FloatArray:
+    """Poses (k, 12) of those of (n, 2) pairs of legs that can be the two legs of a unit with these numbers, 0 to 3."""
+    height = unit.height
     i, j = pairs[:, 0], pairs[:, 1]
     a, b = legs.axis[i], legs.axis[j]
     cosine = np.einsum("ij,ij->i", a, b)
-    opening = float(unit.leg_directions[0] @ unit.leg_directions[1])
+    directions = unit.leg_directions[list(numbers)]
+    opening = float(directions[0] @ directions[1])
     fits = np.abs(np.arccos(np.clip(cosine, -1, 1)) - np.arccos(opening)) < MEETING_ANGLE
     i, j, a, b, cosine = i[fits], j[fits], a[fits], b[fits], cosine[fits]
     gap = legs.centre[j] - legs.centre[i]
@@ -68,16 +74,16 @@ def poses_from_pairs(legs: Legs, unit: UnitType) -> FloatArray:
     reach_j = 4 * legs.centre_sd[j] + 0.1 * height
     fits = (miss < MISSED * height) & (np.abs(s) < reach_i) & (np.abs(t) < reach_j)
     centre = (0.5 * (first + second))[fits]
-    return np.column_stack([centre, _rotation_of_legs(a[fits], b[fits], unit)])
+    return np.column_stack([centre, _rotation_of_legs(a[fits], b[fits], directions)])
 
 
-def _rotation_of_legs(a: FloatArray, b: FloatArray, unit: UnitType) -> FloatArray:
-    """(k, 9) rotations that bring legs 1 and 2 of the body closest to the directions a and b."""
+def _rotation_of_legs(a: FloatArray, b: FloatArray, directions: FloatArray) -> FloatArray:
+    """(k, 9) rotations that bring two (2, 3) directions in the body closest to the directions a and b."""
     total, across = a + b, np.cross(a, b)
     total /= np.linalg.norm(total, axis=1, keepdims=True)
     across /= np.linalg.norm(across, axis=1, keepdims=True)
     frame = np.stack([total, across, np.cross(total, across)], axis=2)
-    d1, d2 = unit.leg_directions[0], unit.leg_directions[1]
+    d1, d2 = directions
     bisector, normal = d1 + d2, np.cross(d1, d2)
     bisector, normal = bisector / np.linalg.norm(bisector), normal / np.linalg.norm(normal)
     body = np.column_stack([bisector, normal, np.cross(bisector, normal)])

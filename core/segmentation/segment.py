@@ -20,7 +20,7 @@ from .raw_residuals import raw_residuals
 from .scene import COLUMNS, Evidence, Scene
 from .smoothed_surface import NOISY_RATIO, smoothed
 from .surface_elements import SurfaceElements, surface_elements
-from .twist import settle_twists
+from .twist import log_likelihood, settle_twists
 from .verification import FEWEST_CELLS, distinct, overlap, select
 from .whole_unit_search import poses_about_elements
 
@@ -254,9 +254,17 @@ def _settled(elements: SurfaceElements, poses: FloatArray, scene: Scene, *, roun
         doubtful = contested(scene.points, owner, poses, scene.unit, CLEARANCE_IN_NOISE * elements.element_noise)
         for k in range(len(poses)):
             own = (owner == k) | (owner < 0)
-            poses[k] = refine(poses[k : k + 1], scene, own & ~doubtful, most=1500, sweeps=20)[0]
-            found[k] = evidence(poses[k : k + 1], scene, own)
+            refined = refine(_numbered(poses[k], scene.unit), scene, own & ~doubtful, most=1500, sweeps=20)
+            judged = evidence(refined, scene, own)
+            likeliest = int(np.argmax(log_likelihood(judged, scene.tolerance)))
+            poses[k], found[k] = refined[likeliest], judged[likeliest]
     return poses, Evidence.joined(found), owner
+
+
+def _numbered(pose: FloatArray, unit: UnitType) -> FloatArray:
+    """(k, 12) a pose with its legs taken for one another, as they easily are where the opening tells them apart: as it is first."""
+    turns = (pose[3:].reshape(3, 3) @ unit.numberings).reshape(-1, 9)
+    return np.column_stack([np.tile(pose[:3], (len(turns), 1)), turns])
 
 
 def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmentation:

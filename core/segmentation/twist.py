@@ -29,7 +29,8 @@ TURN = 2 * np.pi / 3
 """A leg's axis is one of threefold symmetry: twists repeat after this angle."""
 STEPS = 30
 """Twists looked at, four degrees apart."""
-ANGLES = np.arange(STEPS) * TURN / STEPS
+ANGLES = (np.arange(STEPS) * TURN / STEPS + TURN / 2) % TURN - TURN / 2
+"""To both sides: about a leg that has not the others evenly around it, as three of the paper's opening have not, only those near count."""
 WORTH_SCALE = 0.04
 """Share of its worth that makes a twist less likely by a factor e: a few of a hundred elements, which chance easily aligns. To its mean a
 unit is turned: real legs lie some centimetres off their cones, and what a few elements of a second one prefer is no better start."""

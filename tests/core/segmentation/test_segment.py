@@ -326,3 +326,22 @@ def test_where_gaps_are_bridged_what_lies_beside_a_unit_speaks_less_against_it()
     assert where_bridged(typical, poses()) is typical
     sparse = TypicalUnit(0.015, 0.8, model=SPARSE)
     assert where_bridged(sparse, found) is sparse
+
+
+@pytest.mark.parametrize("legs", [(0, 1), (1, 2), (1, 2, 3), (0, 2, 3)])
+def test_legs_of_unequal_angles_are_told_apart(legs):
+    """The paper's model has 120 degrees between leg 1 and the others, 97 among these: a unit of legs that it holds alike is turned."""
+    unit = UnitType.tetrapod(2.3, opening="paper")
+    rng = np.random.default_rng(sum(legs))
+    poses = [turned(seed, (8.0 * seed, 0.0, 0.0)) for seed in range(6)]
+    points, _, leg = sample_surface(unit, 16_000, rng)
+    points = points[np.isin(leg, legs)]
+    cloud = np.vstack([pose.to_frame(points) + rng.normal(0, 0.01, points.shape) for pose in poses])
+    units = segment(cloud, unit).units
+    assert len(units) == len(poses)
+    for pose in poses:
+        own = min(units, key=lambda u: np.linalg.norm(u.pose.centre - pose.centre))
+        axes = own.pose.rotation @ unit.leg_directions.T
+        seen = pose.rotation @ unit.leg_directions[list(legs)].T
+        assert np.linalg.norm(own.pose.centre - pose.centre) < 0.01
+        assert np.degrees(np.arccos(np.clip(np.max(seen.T @ axes, axis=1), -1, 1))).max() < 1.0
