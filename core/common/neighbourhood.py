@@ -21,6 +21,8 @@ class Grid(NamedTuple):
         (cells + 1,) where each cell begins in ``order``.
     order
         (n,) indices of the points.
+    places
+        (n, 3) the points themselves in that order, metres: loops over cells read them one after the other.
     origin
         (3,) lowest corner, metres.
     size
@@ -31,15 +33,16 @@ class Grid(NamedTuple):
 
     start: NDArray[np.int32]
     order: IntArray
+    places: FloatArray
     origin: FloatArray
     size: IntArray
     cell: float
 
-    def within(self, points: FloatArray, middle: FloatArray, reach: float, active: NDArray[np.bool_] | None = None) -> IntArray:
-        """Indices of the points (those of the grid) within ``reach`` metres of ``middle`` (3,), of the active ones where that is given."""
-        chosen = np.ones(len(points), dtype=np.bool_) if active is None else active
+    def within(self, middle: FloatArray, reach: float, active: NDArray[np.bool_] | None = None) -> IntArray:
+        """Indices of the points within ``reach`` metres of ``middle`` (3,), of the active ones where that is given."""
+        chosen = np.ones(len(self.order), dtype=np.bool_) if active is None else active
         x, y, z = np.asarray(middle, dtype=np.float64).tolist()
-        return np.asarray(gather(points, chosen, (x, y, z), reach, self, len(points)))
+        return np.asarray(gather(chosen, (x, y, z), reach, self, len(self.order)))
 
 
 def point_tree(points: FloatArray) -> cKDTree:
@@ -60,7 +63,7 @@ def build_grid(points: FloatArray, cell: float, most_cells: int = 20_000_000) ->
     key = np.minimum(np.floor((points - origin) / cell).astype(np.int64), size - 1)
     flat = (key[:, 0] * size[1] + key[:, 1]) * size[2] + key[:, 2]
     start, order = _sorted_into_cells(flat, int(np.prod(size)))
-    return Grid(start, order, origin, size, float(cell))
+    return Grid(start, order, points[order], origin, size, float(cell))
 
 
 @kernel()
@@ -85,17 +88,40 @@ def _sorted_into_cells(cell: Any, cells: int) -> Any:
     return start, order
 
 
+@kernel(makes_arrays=False)
+def column_within(i: int, j: int, middle: Any, reach: float, grid: Any) -> Any:
+    """From where to where, in the order of the cells, the points of those cells of column i, j lie that a ball meets.
+
+    Cells of a column are stored one after the other. Half of the cells of the box around a ball lie outside it.
+    """
+    # rounding may put a point into the cell beside its own
+    wide = reach * (1.0 + 1e-6)
+    x, y = grid.origin[0] + i * grid.cell, grid.origin[1] + j * grid.cell
+    beside_x = max(max(x - middle[0], middle[0] - x - grid.cell), 0.0)
+    beside_y = max(max(y - middle[1], middle[1] - y - grid.cell), 0.0)
+    rest = wide * wide - beside_x * beside_x - beside_y * beside_y
+    if rest < 0.0:
+        return 0, 0
+    half = np.sqrt(rest)
+    low = max(0, int(np.floor((middle[2] - half - grid.origin[2]) / grid.cell)))
+    high = min(grid.size[2] - 1, int(np.floor((middle[2] + half - grid.origin[2]) / grid.cell)))
+    if high < low:
+        return 0, 0
+    row = (i * grid.size[1] + j) * grid.size[2]
+    return np.int64(grid.start[row + low]), np.int64(grid.start[row + high + 1])
+
+
 @kernel()
-def gather(points: Any, active: Any, middle: Any, reach: float, grid: Any, most: Any) -> Any:
-    """Indices of active points within ``reach`` of ``middle``; an even choice of ``most`` of them where there are more.
+def gather(active: Any, middle: Any, reach: float, grid: Any, most: Any) -> Any:
+    """Indices of active points of a grid within ``reach`` of ``middle``; an even choice of ``most`` of them where there are more.
 
     Compiled loops give ``middle`` as a tuple and ``most`` as an ``np.int64``: this one would be compiled anew for each way an array can
     lie in memory, and for each constant.
     """
-    start, order, origin, size, cell = grid
-    low = np.empty(3, dtype=np.int64)
-    high = np.empty(3, dtype=np.int64)
-    for a in range(3):
+    _, order, places, origin, size, cell = grid
+    low = np.empty(2, dtype=np.int64)
+    high = np.empty(2, dtype=np.int64)
+    for a in range(2):
         low[a] = max(0, int(np.floor((middle[a] - reach - origin[a]) / cell)))
         high[a] = min(size[a] - 1, int(np.floor((middle[a] + reach - origin[a]) / cell)))
     count = 0
@@ -104,26 +130,18 @@ def gather(points: Any, active: Any, middle: Any, reach: float, grid: Any, most:
     limit = reach * reach
     for i in range(low[0], high[0] + 1):
         for j in range(low[1], high[1] + 1):
-            row = (i * size[1] + j) * size[2]
-            # cells of one column are stored one after the other
-            if high[2] < low[2]:
-                continue
-            for k in range(start[row + low[2]], start[row + high[2] + 1]):
-                q = order[k]
-                if not active[q]:
-                    continue
-                x = points[q, 0] - middle[0]
-                y = points[q, 1] - middle[1]
-                z = points[q, 2] - middle[2]
-                if x * x + y * y + z * z <= limit:
-                    if count == room:
-                        wider = np.empty(2 * room, dtype=np.int64)
-                        for m in range(room):
-                            wider[m] = found[m]
-                        found = wider
-                        room *= 2
-                    found[count] = q
-                    count += 1
+            first, last = column_within(i, j, middle, reach, grid)
+            if count + last - first > room:
+                room = 2 * (count + last - first)
+                wider = np.empty(room, dtype=np.int64)
+                for m in range(count):
+                    wider[m] = found[m]
+                found = wider
+            # every point is written down, and written over where it does not count: branches would take longer
+            for k in range(first, last):
+                x, y, z = places[k, 0] - middle[0], places[k, 1] - middle[1], places[k, 2] - middle[2]
+                found[count] = order[k]
+                count += 1 if (x * x + y * y + z * z <= limit) & active[order[k]] else 0
     if count <= most:
         return found[:count]
     chosen = np.empty(most, dtype=np.int64)

@@ -37,7 +37,7 @@ def assign(
     grid, shape = build_grid(points, 0.25 * reach), ConeShape.of(unit)
     points, poses = np.ascontiguousarray(points), np.ascontiguousarray(poses)
     for k in range(len(poses)):
-        index = grid.within(points, poses[k, :3], reach)
+        index = grid.within(poses[k, :3], reach)
         own = _distances(points[index], poses[k], shape)
         nearer = np.abs(own) < np.abs(distance[index])
         distance[index[nearer]] = own[nearer]

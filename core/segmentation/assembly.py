@@ -151,7 +151,7 @@ def _twist_search(
     legs, radius, gradient, length, height = shape
     twists = TWISTS
     for i in range(first, last):
-        near = gather(points, active, (centres[i, 0], centres[i, 1], centres[i, 2]), 0.85 * height, grid, np.int64(TWIST_SAMPLE))
+        near = gather(active, (centres[i, 0], centres[i, 1], centres[i, 2]), 0.85 * height, grid, np.int64(TWIST_SAMPLE))
         m = len(near)
         e30, e31, e32 = axes[i, 0], axes[i, 1], axes[i, 2]
         e10, e11, e12, e20, e21, e22 = across(e30, e31, e32)

@@ -337,7 +337,7 @@ def _search(
     rho_high = radius * 0.97
     for s in range(first, last):
         middle = points[seeds[s]]
-        found = gather(points, active, (middle[0], middle[1], middle[2]), reach, grid, np.int64(MOST_NEIGHBOURS))
+        found = gather(active, (middle[0], middle[1], middle[2]), reach, grid, np.int64(MOST_NEIGHBOURS))
         m = len(found)
         if m < 12:
             continue

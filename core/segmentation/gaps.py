@@ -319,7 +319,7 @@ def _judged(places: FloatArray, kind: int, elements: FloatArray, armour: Armour)
     gaps: list[Gap] = []
     for k in np.flatnonzero(fitting):
         pose = settled[k]
-        own = elements[grid.within(elements, pose[:3], reach)]
+        own = elements[grid.within(pose[:3], reach)]
         distance = distance_to_surface((own - pose[:3]) @ pose[3:].reshape(3, 3), unit)
         on, inside = int(np.sum(np.abs(distance) <= tolerance)), int(np.sum(distance < -tolerance))
         share = on / max(len(own), 1)

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..common.arrays import BoolArray, FloatArray
 from ..common.kernels import in_parts, kernel
+from ..common.neighbourhood import column_within
 from ..model.tetrapod import EDGE_RATIO, TIP_RATIO, across_legs
 from ..model.unit_types import UnitType
 from .cone_relation import FEW_POSES, ConeShape, OrientedPoints, crease_distance, normal_at, relate_point, surely_farther
@@ -92,21 +93,19 @@ def _evidence_of_many(first: int, last: int, out: Any, poses: Any, elements: Any
 @kernel()
 def _evidence_of_one(out: Any, pose: Any, elements: Any, active: Any, grid: Any, shape: Any, limits: Any) -> None:
     """Row of the table of evidence for one pose."""
-    points, normals, curved = elements
-    start, order, origin, size, cell = grid
+    _, normals, curved = elements
+    _, order, places, origin, size, cell = grid
     legs, radius, gradient, length, height = shape
     tolerance, seen, blurred, across = limits
     first, second = across[0], across[1]
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
     low = INNER_RATIO * height
     reach = 0.75 * height
-    lo = np.empty(3, dtype=np.int64)
-    hi = np.empty(3, dtype=np.int64)
-    for a in range(3):
+    lo = np.empty(2, dtype=np.int64)
+    hi = np.empty(2, dtype=np.int64)
+    for a in range(2):
         lo[a] = max(0, int(np.floor((pose[a] - reach - origin[a]) / cell)))
         hi[a] = min(size[a] - 1, int(np.floor((pose[a] + reach - origin[a]) / cell)))
-    if hi[2] < lo[2]:
-        return
     cells = np.zeros(NUMBER_OF_CELLS, dtype=np.int64)
     outer = OUTER_SHARE * length
     rounded = (1.0 - seen * (1.0 - TIP_RATIO)) * length
@@ -117,12 +116,12 @@ def _evidence_of_one(out: Any, pose: Any, elements: Any, active: Any, grid: Any,
     squares = 0.0
     for gi in range(lo[0], hi[0] + 1):
         for gj in range(lo[1], hi[1] + 1):
-            column = (gi * size[1] + gj) * size[2]
-            for at in range(start[column + lo[2]], start[column + hi[2] + 1]):
+            first_at, last_at = column_within(gi, gj, (pose[0], pose[1], pose[2]), reach, grid)
+            for at in range(first_at, last_at):
                 q = order[at]
-                d0 = points[q, 0] - pose[0]
-                d1 = points[q, 1] - pose[1]
-                d2 = points[q, 2] - pose[2]
+                d0 = places[at, 0] - pose[0]
+                d1 = places[at, 1] - pose[1]
+                d2 = places[at, 2] - pose[2]
                 if d0 * d0 + d1 * d1 + d2 * d2 > reach * reach:
                     continue
                 x = d0 * pose[3] + d1 * pose[6] + d2 * pose[9]

@@ -64,7 +64,7 @@ def _refine_one(pose: Any, elements: Any, active: Any, grid: Any, shape: Any, to
     points, normals = elements.points, elements.normals
     height = shape.height
     most, sweeps = effort
-    near = gather(points, active, (pose[0], pose[1], pose[2]), BROAD * height, grid, most)
+    near = gather(active, (pose[0], pose[1], pose[2]), BROAD * height, grid, most)
     m = len(near)
     local = np.empty((6, m))
     for q in range(m):

@@ -48,7 +48,7 @@ def raw_residuals(points: FloatArray, poses: FloatArray, unit: UnitType, noise: 
     reach = unit.reach + REACH * noise
     grid = build_grid(points, 0.25 * reach)
     for k, pose in enumerate(poses):
-        near = grid.within(points, pose[:3], reach)
+        near = grid.within(pose[:3], reach)
         near = near[(labels[near] == k) | (labels[near] < 0)]
         body = (points[near] - pose[:3]) @ pose[3:].reshape(3, 3)
         relation = relate(body, unit)

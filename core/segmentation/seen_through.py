@@ -103,7 +103,7 @@ class _Source:
 
     def around(self, centre: FloatArray, reach: float) -> _Around:
         """Points within reach of a place, from there."""
-        own = self.points[self._grid.within(self.points, centre, reach)] - centre
+        own = self.points[self._grid.within(centre, reach)] - centre
         return _Around(own, _nearest_first(own))
 
     def keep(self, centre: FloatArray, stands: FloatArray) -> None:

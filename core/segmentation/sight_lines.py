@@ -139,7 +139,7 @@ class SightLines:
             pose = self._poses[number]
             rotation = pose[3:].reshape(3, 3)
             patches, normals = _patches(self._unit)
-            around = self._thinned[self._grid.within(self._thinned, pose[:3], AROUND_HEIGHTS * self._unit.height)] - pose[:3]
+            around = self._thinned[self._grid.within(pose[:3], AROUND_HEIGHTS * self._unit.height)] - pose[:3]
             self._opened[number] = _open(
                 around, patches @ rotation.T, normals @ rotation.T, *_directions(), self._pixel, LEAST_FACING, MARGIN_PIXELS * self._pixel
             )

@@ -83,7 +83,7 @@ def _patches(first: int, last: int, points: Any, every: Any, places: Any, radius
     """Rows (k, 10) of ``out`` by place: where the surface passes it, normal, bend and its sd, sd of the first, points; as they were without
     one."""
     for i in range(first, last):
-        near = gather(points, every, (places[i, 0], places[i, 1], places[i, 2]), radius, grid, np.int64(MOST_POINTS))
+        near = gather(every, (places[i, 0], places[i, 1], places[i, 2]), radius, grid, np.int64(MOST_POINTS))
         out[i, 9] = len(near)
         if len(near) < FEWEST_POINTS:
             continue

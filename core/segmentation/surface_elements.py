@@ -179,11 +179,11 @@ def _normals(
     for i in range(first, last):
         reach = bend_radius
         middle = (points[i, 0], points[i, 1], points[i, 2])
-        near = gather(points, every, middle, reach, grid, np.int64(MOST_NEIGHBOURS))
+        near = gather(every, middle, reach, grid, np.int64(MOST_NEIGHBOURS))
         # a lone point looks further, up to about a unit's half
         while len(near) < FEWEST_NEIGHBOURS and reach < 3.0 * bend_radius:
             reach *= 2.0
-            near = gather(points, every, middle, reach, grid, np.int64(MOST_NEIGHBOURS))
+            near = gather(every, middle, reach, grid, np.int64(MOST_NEIGHBOURS))
         count = len(near)
         local = np.empty((count, 4))
         m = 0

@@ -146,7 +146,7 @@ def worth(found: Evidence) -> FloatArray:
 
 def claim(pose: FloatArray, scene: Scene, active: BoolArray) -> None:
     """Take the active points on the surface of the unit out of ``active``."""
-    near = scene.grid.within(scene.points, pose[:3], scene.unit.reach + 2.5 * scene.tolerance, active)
+    near = scene.grid.within(pose[:3], scene.unit.reach + 2.5 * scene.tolerance, active)
     relation = relate((scene.points[near] - pose[:3]) @ pose[3:].reshape(3, 3), scene.unit)
     active[near[np.abs(relation.distance) < 2.5 * scene.tolerance]] = False
 

@@ -74,7 +74,7 @@ def _search(first: int, last: int, seeds: Any, elements: Any, active: Any, grid:
     for i in range(first, last):
         seed = seeds[i]
         place = (points[seed, 0], points[seed, 1], points[seed, 2])
-        near = gather(points, active, place, REACH * height, grid, np.int64(SAMPLE))
+        near = gather(active, place, REACH * height, grid, np.int64(SAMPLE))
         m = len(near)
         local, own = np.empty((3, m)), np.empty((3, m))
         for q in range(m):

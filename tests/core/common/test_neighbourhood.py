@@ -20,5 +20,17 @@ def test_points_within_reach() -> None:
     grid = build_grid(points, 0.4)
     active = np.arange(len(points)) % 3 > 0
     near = np.linalg.norm(points - [2.0, 1.0, 4.9], axis=1) <= 0.9
-    assert sorted(grid.within(points, np.array([2.0, 1.0, 4.9]), 0.9)) == np.flatnonzero(near).tolist()
-    assert sorted(grid.within(points, np.array([2.0, 1.0, 4.9]), 0.9, active)) == np.flatnonzero(near & active).tolist()
+    assert sorted(grid.within(np.array([2.0, 1.0, 4.9]), 0.9)) == np.flatnonzero(near).tolist()
+    assert sorted(grid.within(np.array([2.0, 1.0, 4.9]), 0.9, active)) == np.flatnonzero(near & active).tolist()
+
+
+def test_points_within_reach_anywhere_and_by_any_cells() -> None:
+    rng = np.random.default_rng(2)
+    points = np.round(rng.uniform(-2, 2, (1500, 3)), 1)
+    for cell in (0.1, 0.35, 3.0):
+        grid = build_grid(points, cell)
+        assert np.array_equal(grid.places, points[grid.order])
+        # beyond the cloud too, and with points between two cells, where rounding puts them into either
+        for middle, reach in zip(np.round(rng.uniform(-3, 3, (40, 3)), 1), np.round(rng.uniform(0.1, 3, 40), 1) + 0.003, strict=True):
+            near = np.sum((points - middle) ** 2, axis=1) <= reach * reach
+            assert sorted(grid.within(middle, float(reach))) == np.flatnonzero(near).tolist()

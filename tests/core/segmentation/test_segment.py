@@ -63,10 +63,10 @@ def test_gather_equals_brute_force():
     grid = build_grid(points, 0.4)
     active = np.random.default_rng(2).random(3000) < 0.7
     middle = np.array([0.3, -1.0, 2.9])
-    near = gather(points, active, middle, 0.9, grid, 10**6)
+    near = gather(active, middle, 0.9, grid, 10**6)
     wanted = np.flatnonzero(active & (np.linalg.norm(points - middle, axis=1) <= 0.9))
     assert sorted(near) == sorted(wanted)
-    fewer = gather(points, active, middle, 0.9, grid, 10)
+    fewer = gather(active, middle, 0.9, grid, 10)
     assert len(fewer) == 10
     assert set(fewer) <= set(wanted)
 
