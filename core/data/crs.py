@@ -19,7 +19,7 @@ from ..common.errors import CrsError
 from .las_crs import DeclaredCrs
 
 if TYPE_CHECKING:
-    from pyproj import CRS
+    from pyproj import CRS, Transformer
 
 
 LOCAL = "LOCAL"
@@ -300,12 +300,19 @@ def _equal(a: CRS, b: CRS) -> bool:
     return bool(a.equals(b, ignore_axis_order=True))
 
 
-def _transformer(a: CRS, b: CRS, source: str | Path) -> Callable[[FloatArray], FloatArray]:
+@lru_cache(maxsize=64)
+def _best_transformer(a: CRS, b: CRS) -> Transformer:
+    """PROJ's best transformation, looked for once a process: every look into a tile asks for it."""
     from pyproj import Transformer
+
+    return Transformer.from_crs(a, b, always_xy=True, only_best=True, allow_ballpark=False)
+
+
+def _transformer(a: CRS, b: CRS, source: str | Path) -> Callable[[FloatArray], FloatArray]:
     from pyproj.exceptions import ProjError
 
     try:
-        transformer = Transformer.from_crs(a, b, always_xy=True, only_best=True, allow_ballpark=False)
+        transformer = _best_transformer(a, b)
         # with only_best a missing grid is found out only when a point is transformed
     except ProjError as error:
         raise _no_transformation(a, b, source) from error

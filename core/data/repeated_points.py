@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from ..common.arrays import BoolArray, FloatArray, IntArray, corners
+from ..common.arrays import BoolArray, FloatArray, IntArray, corners, in_box
 
 
 def by_place(xyz: FloatArray, source_id: NDArray[np.uint16], gps_time: FloatArray) -> IntArray:
@@ -47,7 +47,7 @@ def second_copies(
         own_low, own_high = boxes[k]
         for low, high in (*boxes[:k], *boxes[k + 1 :]):
             if (low <= own_high).all() and (high >= own_low).all():
-                shared[part] |= ((xyz[part] >= low) & (xyz[part] <= high)).all(axis=1)
+                shared[part] |= in_box(xyz[part], low, high)
     chosen = np.flatnonzero(shared)
     chosen = chosen[np.lexsort((tile[chosen], gps_time[chosen], source_id[chosen]))]
     if not len(chosen):

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..common.arrays import FloatArray
+from ..common.arrays import FloatArray, in_box
 from ..common.errors import Cancelled, InputError
 from . import thinned_clouds
 from .crs import TileTransform, crs_text, parse_crs, resolved_crs, tile_transform, vertical_name
@@ -370,7 +370,9 @@ def read_points(
     if again.any():
         cloud = cloud.select(~again)
     cloud = cloud.select(by_place(cloud.xyz, cloud.source_id, cloud.gps_time))
-    same = (np.diff(cloud.xyz, axis=0) == 0).all(axis=1) & (np.diff(cloud.gps_time) == 0) & (cloud.source_id[1:] == cloud.source_id[:-1])
+    same = (cloud.gps_time[1:] == cloud.gps_time[:-1]) & (cloud.source_id[1:] == cloud.source_id[:-1])
+    for column in cloud.xyz.T:
+        same &= column[1:] == column[:-1]
     return cloud.select(np.concatenate([[True], ~same])) if same.any() else cloud
 
 
@@ -409,13 +411,13 @@ def _read_tile(
             if is_cancelled():
                 raise Cancelled("cancelled while reading")
             xyz = positions(chunk, tile.path)
-            if ((xyz < bounds[0] - slack) | (xyz > bounds[1] + slack)).any():
+            if not in_box(xyz, bounds[0] - slack, bounds[1] + slack).all():
                 raise InputError("is not as it was when it was checked", source=tile.path, remedy="Run again; leave tiles alone meanwhile.")
             if transform is not None:
                 xyz = transform(xyz)
             keep = usable(chunk)
             if tile.strays or transform is not None:
-                keep &= ((xyz >= np.subtract(tile.low, slack)) & (xyz <= np.add(tile.high, slack))).all(axis=1)
+                keep &= in_box(xyz, np.subtract(tile.low, slack), np.add(tile.high, slack))
             if window is not None:
                 keep &= window.contains(xyz)
             sources, times = point_records(chunk, header, keep)
@@ -433,7 +435,7 @@ def _means_of(
         raise InputError("is not as it was when it was checked", source=tile.path, remedy="Run again; leave tiles alone meanwhile.")
     keep = np.ones(len(means.xyz), dtype=np.bool_) if window is None else window.contains(means.xyz)
     if tile.strays:
-        keep &= ((means.xyz >= np.array(tile.low)) & (means.xyz <= np.array(tile.high))).all(axis=1)
+        keep &= in_box(means.xyz, tile.low, tile.high)
     return means.xyz[keep] - origin, means.sources[keep], means.times[keep], means.spread[keep]
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from scipy.sparse import coo_array, csc_array, diags_array, eye_array, kron
 from scipy.sparse.linalg import SuperLU, splu
 
-from ..common.arrays import FloatArray, IntArray
+from ..common.arrays import FloatArray, IntArray, upper_triangle
 from .unit_clouds import Sources
 
 KNOT_HEIGHTS = 3.5
@@ -129,7 +129,7 @@ class UnitEquations:
 def symmetric(upper: FloatArray, size: int) -> FloatArray:
     """Symmetric matrix of which half is kept: one a unit stays in memory."""
     full = np.zeros((size, size))
-    full[np.triu_indices(size)] = upper
+    full[upper_triangle(size)] = upper
     return np.asarray(full + np.triu(full, 1).T)
 
 

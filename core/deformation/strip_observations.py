@@ -131,7 +131,8 @@ def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, foun
             disc = False
         first = ux * across[0, leg, 0] + uy * across[0, leg, 1] + uz * across[0, leg, 2]
         second = ux * across[1, leg, 0] + uy * across[1, leg, 1] + uz * across[1, leg, 2]
-        turn = (math.atan2(second, first) / (2.0 * math.pi)) % 1.0
+        turn = math.atan2(second, first) / (2.0 * math.pi)
+        turn += 1.0 if turn < 0.0 else 0.0
         if disc:
             patch[i] = leg * LEG_CELLS + AXIAL_CELLS * AZIMUTH_CELLS + min(int(turn * DISC_CELLS), DISC_CELLS - 1)
         else:

@@ -25,7 +25,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..adjustment.shape_effects import CELLS, LEG_CELLS, CellSums, Eliminated
-from ..common.arrays import FloatArray
+from ..common.arrays import FloatArray, upper_triangle
 from ..common.kernels import side_by_side
 from ..common.positive_definite import largest_sd
 from ..common.robust import MAD_TO_SD, TUKEY
@@ -226,11 +226,11 @@ class _JointSolver:
         # copies: a view would keep the whole of the unit's equations in memory
         coupling = normal[:own, own:].copy()
         block = UnitBlock(
-            inverse_upper=inverse[np.triu_indices(own)],
+            inverse_upper=inverse[upper_triangle(own)],
             coupling=coupling,
             rhs=rhs[:own].copy(),
             strips=touched,
-            strip_upper=(normal[own:, own:] - coupling.T @ inverse @ coupling)[np.triu_indices(size - own)],
+            strip_upper=(normal[own:, own:] - coupling.T @ inverse @ coupling)[upper_triangle(size - own)],
             strip_rhs=rhs[own:] - coupling.T @ inverse @ rhs[:own],
         )
         return UnitReduction(block, found, cells)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
 from ..common.arrays import FloatArray
+from ..data.repeated_points import by_place
 from ..data.tiles import TileInfo, Window, read_points, used_points
 from ..segmentation.unit_size import WINDOW_SIDE, dense_windows
 
@@ -20,6 +21,8 @@ PLACES = 8
 """Parts of a large cloud at most, of equal length, of each of which one place is read: the one where most surface stands."""
 MOST_OF_PLACES = 2_000_000
 """Points of all places that are as wide as they may be; denser ones are narrower, and past their least width every so many are taken."""
+MOST_HELD = 3_000_000
+"""Points that are held from the first look to the second one, rather than decompressed again."""
 LEAST_SIDE, MOST_SIDE = 1.5, 3.0
 """Side of a place in squares of a trial (:data:`WINDOW_SIDE`): that units three times as large as supposed fill one too."""
 
@@ -43,20 +46,35 @@ def sample_points(
     if sum(tile.held for tile in tiles) <= MOST_POINTS:
         cloud = read_points(tiles, crs, is_cancelled=is_cancelled)
         return cloud.xyz, cloud.origin
-    chosen, coarse, stride = _overview([tile for tile in tiles if tile.used], crs, is_cancelled)
+    used = [tile for tile in tiles if tile.used]
+    held = {}
+    if sum(tile.held for tile in used) <= MOST_HELD:
+        held = {tile.path: list(used_points(tile, crs, is_cancelled)) for tile in used}
+
+    def chunks(tile: TileInfo) -> Iterable[FloatArray]:
+        return held[tile.path] if held else used_points(tile, crs, is_cancelled)
+
+    chosen, coarse, stride = _overview(used, chunks)
     origin = np.floor(coarse.min(axis=0))
     windows = _dense_places(coarse, stride, height)
     parts: list[list[FloatArray]] = [[] for _ in windows]
     for tile in chosen:
         near = [k for k, window in enumerate(windows) if window.meets(tile.low, tile.high)]
-        for xyz in used_points(tile, crs, is_cancelled) if near else ():
+        for xyz in chunks(tile) if near else ():
             rest = xyz
             for k in near:
                 inside = windows[k].contains(rest)
                 parts[k].append(rest[inside] - origin)
                 rest = rest[~inside]
     # in an order that does not depend on the tiling, and what two tiles hold once
-    return np.vstack([_at_most(np.unique(np.vstack(own), axis=0), MOST_OF_PLACES // len(parts)) for own in parts]), origin
+    return np.vstack([_at_most(_once_each(np.vstack(own)), MOST_OF_PLACES // len(parts)) for own in parts]), origin
+
+
+def _once_each(points: FloatArray) -> FloatArray:
+    """Points (n, 3) by easting, northing and height, those that occur several times once."""
+    alike = np.zeros(len(points))
+    ordered = points[by_place(points, alike.astype(np.uint16), alike)]
+    return np.asarray(ordered[np.concatenate([[True], (ordered[1:] != ordered[:-1]).any(axis=1)])])
 
 
 def _dense_places(points: FloatArray, stride: int, height: float) -> list[Window]:
@@ -77,14 +95,14 @@ def _dense_places(points: FloatArray, stride: int, height: float) -> list[Window
     return windows
 
 
-def _overview(tiles: Sequence[TileInfo], crs: str, is_cancelled: Callable[[], bool]) -> tuple[list[TileInfo], FloatArray, int]:
+def _overview(tiles: Sequence[TileInfo], chunks: Callable[[TileInfo], Iterable[FloatArray]]) -> tuple[list[TileInfo], FloatArray, int]:
     """Tiles spread over the epoch, and every so many of their points."""
     total = sum(tile.held for tile in tiles)
     step = max(1, round(total / MOST_READ))
     chosen = list(tiles)[::step] if len(tiles) > step else list(tiles[:1])
     stride = max(1, sum(tile.held for tile in chosen) // MOST_POINTS)
     # copies: a view would keep all points of its chunk in memory
-    return chosen, np.vstack([xyz[::stride].copy() for tile in chosen for xyz in used_points(tile, crs, is_cancelled)]), stride
+    return chosen, np.vstack([xyz[::stride].copy() for tile in chosen for xyz in chunks(tile)]), stride
 
 
 def _at_most(points: FloatArray, most: int) -> FloatArray:

@@ -47,4 +47,6 @@ def register_to_control(epochs: Iterable[Epoch], survey_crs: str) -> dict[str, R
         if epoch.control is not None and epoch.targets is not None
     }
     alone = {label: register(*points) for label, points in pairs.items()}
+    if len(alone) < 2:
+        return alone
     return {label: register(*points, others=[alone[k] for k in pairs if k != label]) for label, points in pairs.items()}

@@ -50,6 +50,6 @@ def cloud_quality(points: FloatArray, height: float) -> CloudQuality | None:
 
 def _density(points: FloatArray, height: float) -> float:
     """Points per square of edge H where there are points, squares at the edge of the cloud left out."""
-    cells = np.floor(points[:, :2] / (PLAN_CELL_RATIO * height)).astype(np.int64)
-    counts = np.unique(cells, axis=0, return_counts=True)[1]
+    east, north = np.floor(points[:, :2] / (PLAN_CELL_RATIO * height)).astype(np.int64).T
+    counts = np.unique(east * (np.ptp(north) + 1) + north - north.min(), return_counts=True)[1]
     return float(counts[counts >= EDGE_SHARE * np.median(counts)].mean()) / PLAN_CELL_RATIO**2

@@ -121,3 +121,12 @@ def test_layers_are_brought_in_by_their_horizontal_crs() -> None:
     np.testing.assert_allclose(transform(degrees), CORNERS[:, :2], atol=1e-6)
     with pytest.raises(CrsError, match=r"areas\.gpkg: has no CRS"):
         horizontal_transform(None, UTM, source="areas.gpkg")
+
+
+def test_a_transformation_is_looked_for_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    first = moved("EPSG:32649", UTM)
+    monkeypatch.delattr(Transformer, "from_crs")
+    again = moved("EPSG:32649", UTM)
+    assert first is not None
+    assert again is not None
+    assert np.array_equal(first, again)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
-from tetratrack.core.data.tiles import inspect_tile, read_points
+from tetratrack.core.data.tiles import TileInfo, inspect_tile, read_points, used_points
 from tetratrack.core.pipeline import cloud_sample
 from tetratrack.core.pipeline.cloud_sample import PLACES, sample_points
 
@@ -52,3 +54,21 @@ def test_denser_places_are_narrower_and_at_most_so_many_points(monkeypatch: pyte
     monkeypatch.setattr(cloud_sample, "MOST_OF_PLACES", len(wide) // 3)
     narrow, _ = sample_points(tiles, CRS, HEIGHT)
     assert len(narrow) < 0.6 * len(wide)
+
+
+def test_tiles_are_read_once_where_they_can_be_held(monkeypatch: pytest.MonkeyPatch) -> None:
+    tiles = [inspect_tile(path, CRS) for path in TILES]
+    monkeypatch.setattr(cloud_sample, "MOST_POINTS", 10_000)
+    read: list[Path] = []
+
+    def counted(tile: TileInfo, *arguments: Any) -> Iterator[np.ndarray]:
+        read.append(tile.path)
+        return used_points(tile, *arguments)
+
+    monkeypatch.setattr(cloud_sample, "used_points", counted)
+    held, _ = sample_points(tiles, CRS, HEIGHT)
+    assert sorted(read) == sorted(tile.path for tile in tiles)
+    monkeypatch.setattr(cloud_sample, "MOST_HELD", 0)
+    again, _ = sample_points(tiles, CRS, HEIGHT)
+    assert np.array_equal(held, again)
+    assert len(read) > 2 * len(tiles)
