@@ -42,6 +42,8 @@ class Scene:
         Median distance of a raw point to its nearest neighbour, metres.
     smoothed
         Whether noise was taken off the points (:mod:`.smoothed_surface`).
+    layered
+        Whether layers before the surface were (:mod:`.innermost_layer`).
     """
 
     points: FloatArray
@@ -54,6 +56,7 @@ class Scene:
     normal_radius: float = 0.0
     spacing: float = 0.0
     smoothed: bool = False
+    layered: bool = False
 
     @classmethod
     def of(cls, elements: SurfaceElements, unit: UnitType, tolerance: float) -> Scene:
@@ -69,6 +72,7 @@ class Scene:
             normal_radius=elements.normal_radius,
             spacing=elements.spacing,
             smoothed=elements.smoothed,
+            layered=elements.layered,
         )
 
 

@@ -18,7 +18,7 @@ from .pose_refinement import refine
 from .pose_score import AMONG_HEIGHTS, is_sparse, score, score_in_company, score_with_residuals, typical_unit
 from .raw_residuals import raw_residuals
 from .scene import Scene
-from .segment import CLEARANCE_IN_NOISE, elements_and_tolerance
+from .segment import CLEARANCE_IN_NOISE, cloud_elements
 
 ROUNDS = 2
 """Times that the pose is refined on the elements that are nobody else's."""
@@ -57,7 +57,8 @@ def second_look(points: FloatArray, pose: FloatArray, others: FloatArray, sure: 
     """
     if len(points) < FEWEST_POINTS:
         return None
-    thinned, elements, tolerance = elements_and_tolerance(points, unit, workers=1)
+    cloud = cloud_elements(points, unit, workers=1)
+    points, elements, tolerance = cloud.points, cloud.elements, cloud.tolerance
     scene = Scene.of(elements, unit, tolerance)
     if not (scene.smoothed or is_sparse(scene)):
         return None
@@ -74,5 +75,5 @@ def second_look(points: FloatArray, pose: FloatArray, others: FloatArray, sure: 
     scores = score_in_company(score(found, tolerance, typical), found, company, tolerance, typical)
     if scene.smoothed:
         # of the units around a part is seen here: what is usual on them cannot be told
-        scores = score_with_residuals(scores, raw_residuals(points, poses, unit, thinned.noise)[own:], found.support)
+        scores = score_with_residuals(scores, raw_residuals(points, poses, unit, cloud.thinned.noise)[own:], found.support)
     return SecondLook(float(scores[0]), poses[own], scene.smoothed)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from ..model.unit_types import UnitType
 from .aggregation import assign, contested
 from .assembly import poses_from_pairs, poses_from_single_legs
 from .conic_ransac import find_legs
+from .innermost_layer import innermost_layer
 from .pose_evidence import NUMBER_OF_CELLS, evidence
 from .pose_refinement import refine
 from .pose_score import SPARSE, SURE_ALONE, TypicalUnit, is_sparse, score, score_among, score_with_residuals, typical_unit, where_bridged
@@ -95,6 +96,8 @@ class JudgedPoses:
 
     Attributes
     ----------
+    kept
+        (n,) whether a point of the cloud is used: those of layers before the innermost are not.
     thinned
         The thinned cloud.
     elements
@@ -115,6 +118,7 @@ class JudgedPoses:
         What the poses that are surely units have in common.
     """
 
+    kept: BoolArray
     thinned: SurfaceElements
     elements: SurfaceElements
     poses: FloatArray
@@ -135,7 +139,8 @@ class Segmentation:
     units
         In order of decreasing evidence.
     labels
-        (n,) for each point given, the index of its unit or -1, also where it cannot be told from a touching unit's.
+        (n,) for each point given, the index of its unit or -1, also where it cannot be told from a touching unit's or lies in a layer
+        before the surface.
     spacing
         Median distance of a point to its nearest neighbour, metres.
     noise
@@ -171,8 +176,9 @@ def segment(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int =
 
 def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: int = -1) -> JudgedPoses:
     """Every pose that :func:`segment` weighs, chance alignments included, with the evidence for it; arguments as there."""
-    thinned, elements, tolerance = elements_and_tolerance(points, unit, workers=workers)
-    scene = Scene.of(elements, unit, tolerance)
+    cloud = cloud_elements(points, unit, workers=workers)
+    points, thinned, elements = cloud.points, cloud.thinned, cloud.elements
+    scene = Scene.of(elements, unit, cloud.tolerance)
     scene, poses = _searched(scene, seed)
     poses, found, owner = _settled(elements, poses, scene, rounds=1)
     # chance alignments claim points of units: a last look without them
@@ -196,6 +202,7 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
         scores = score_with_residuals(scores, residuals, found.support)
     poses, certainty = settle_twists(poses, found, scores >= FOUND_SCORE, scene, owner)
     return JudgedPoses(
+        kept=cloud.kept,
         thinned=thinned,
         elements=elements,
         poses=poses,
@@ -208,12 +215,33 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     )
 
 
-def elements_and_tolerance(points: FloatArray, unit: UnitType, *, workers: int = -1) -> tuple[SurfaceElements, SurfaceElements, float]:
-    """Thinned points, in noise what they become on the surface they share, and the distance within which these support a unit."""
+class CloudElements(NamedTuple):
+    """Of a cloud: what poses are held against.
+
+    ``kept`` (n,) says which points are used at all, those of layers before the innermost are not, ``points`` are these; ``thinned`` are
+    their elements, ``elements`` what these become in noise on the surface they share; ``tolerance`` is the distance within which they
+    support a unit, metres.
+    """
+
+    kept: BoolArray
+    points: FloatArray
+    thinned: SurfaceElements
+    elements: SurfaceElements
+    tolerance: float
+
+
+def cloud_elements(points: FloatArray, unit: UnitType, *, workers: int = -1) -> CloudElements:
+    """Elements of (n, 3) points, reduced frame, metres."""
     thinned = surface_elements(points, unit.height, workers=workers)
+    kept = innermost_layer(points, thinned.points, unit.height)
+    if kept is None or np.count_nonzero(kept) < FEWEST_POINTS:
+        kept = np.ones(len(points), dtype=np.bool_)
+    else:
+        points = np.ascontiguousarray(points[kept])
+        thinned = replace(surface_elements(points, unit.height, workers=workers), layered=True)
     noisy = 2.5 * thinned.element_noise > NOISY_RATIO * unit.height
     elements = smoothed(points, thinned, unit.height) if noisy else thinned
-    return thinned, elements, max(2.5 * elements.element_noise, 0.008 * unit.height)
+    return CloudElements(kept, points, thinned, elements, max(2.5 * elements.element_noise, 0.008 * unit.height))
 
 
 def _searched(scene: Scene, seed: int) -> tuple[Scene, FloatArray]:
@@ -299,7 +327,8 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
         for k, pose in zip(kept, stated, strict=True)
     )
     window = max(LABEL_NOISE * elements.noise, min(LABEL_TOLERANCES * tolerance, MOST_LABEL_RATIO * unit.height))
-    labels, _ = assign(points, stated, unit, window, clearance=clearance(elements.noise, unit.height))
+    labels = np.full(len(points), -1, dtype=np.int64)
+    labels[judged.kept], _ = assign(points[judged.kept], stated, unit, window, clearance=clearance(elements.noise, unit.height))
     return Segmentation(units=units, labels=labels, spacing=elements.spacing, noise=elements.noise, tolerance=tolerance)
 
 

@@ -22,6 +22,9 @@ from .surface_elements import BEND_RADIUS_RATIO, THINNING_RATIO, SurfaceElements
 
 NOISY_RATIO = 0.03
 """Tolerance that the noise asks for, as a share of the height, beyond which elements are moved onto the surface first."""
+CORRELATED = 1.25
+"""Noise of elements, means of some points each, over that of single points nearby, beyond which points around err alike and nothing can be
+taken off: 1.34 and more where images err over decimetres, at most 1.12 where every point errs by itself."""
 RADIUS_RATIO = BEND_RADIUS_RATIO
 """Radius of the patches, as a share of the height: a leg's radius is about 0.2."""
 MOST_POINTS = 250
@@ -92,7 +95,7 @@ def _patches(first: int, last: int, points: Any, every: Any, places: Any, radius
             for a in range(3):
                 # lengths in radii from here on
                 local[j, a] = (points[near[j], a] - places[i, a]) / radius
-        axes = _tangent_axes(local)
+        axes = tangent_axes(local)
         solution, covariance, weight = _quadric(local, axes, noise / radius)
         if weight < FEWEST_WEIGHT or abs(solution[0]) * radius > FARTHEST_IN_NOISE * noise:
             continue
@@ -106,7 +109,7 @@ def _patches(first: int, last: int, points: Any, every: Any, places: Any, radius
 
 
 @kernel()
-def _tangent_axes(local: Any) -> Any:
+def tangent_axes(local: Any) -> Any:
     """(3, 3) directions in columns, the first across the surface, of points (m, 3) within a radius of 1 about the origin."""
     total = 0.0
     mean = np.zeros(3)
@@ -127,12 +130,11 @@ def _tangent_axes(local: Any) -> Any:
 
 
 @kernel()
-def _quadric(local: Any, axes: Any, noise: float) -> Any:
-    """Height over the tangent plane as (6,) coefficients of 1, u, v, uu, uv, vv, their (6, 6) covariance by unit noise, sum of weights."""
+def quadric_terms(local: Any, axes: Any) -> Any:
+    """Terms 1, u, v, uu, uv, vv (m, 6) of a height over the tangent plane, and (m,) that of points (m, 3)."""
     m = len(local)
     design = np.empty((m, 6))
     across = np.empty(m)
-    along = np.empty(m)
     for j in range(m):
         h = u = v = 0.0
         for a in range(3):
@@ -140,9 +142,19 @@ def _quadric(local: Any, axes: Any, noise: float) -> Any:
             u += local[j, a] * axes[a, 1]
             v += local[j, a] * axes[a, 2]
         across[j] = h
-        along[j] = (1.0 - min(u * u + v * v, 1.0)) ** 2
         design[j, 0], design[j, 1], design[j, 2] = 1.0, u, v
         design[j, 3], design[j, 4], design[j, 5] = u * u, u * v, v * v
+    return design, across
+
+
+@kernel()
+def _quadric(local: Any, axes: Any, noise: float) -> Any:
+    """Height over the tangent plane as (6,) coefficients of 1, u, v, uu, uv, vv, their (6, 6) covariance by unit noise, sum of weights."""
+    m = len(local)
+    design, across = quadric_terms(local, axes)
+    along = np.empty(m)
+    for j in range(m):
+        along[j] = (1.0 - min(design[j, 3] + design[j, 5], 1.0)) ** 2
     weights = along.copy()
     normal = np.empty((6, 6))
     spread = np.empty((6, 6))

@@ -62,6 +62,8 @@ class SurfaceElements:
         Radius of the neighbourhoods of most normals, metres.
     smoothed
         Whether the points were moved onto the surface that the points around share (:mod:`.smoothed_surface`).
+    layered
+        Whether layers before the surface were taken off (:mod:`.innermost_layer`).
     """
 
     points: FloatArray
@@ -72,6 +74,7 @@ class SurfaceElements:
     element_noise: float
     normal_radius: float
     smoothed: bool = False
+    layered: bool = False
 
 
 def surface_elements(points: FloatArray, height: float, *, workers: int = -1) -> SurfaceElements:
