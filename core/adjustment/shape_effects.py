@@ -203,6 +203,11 @@ class Eliminated:
     apart
         (CELLS,) variance of what single cells have beyond the deviations of castings, the same in all sightings: mixed pixels at the
         edges of what is seen, and neighbours that touch the unit, lie in the same place in every epoch.
+    misfit
+        Quadratic form of the deviations of all cells of all sightings from the mould with the inverse of the covariance that they are
+        taken to have.
+    seen
+        Cells of all sightings.
     """
 
     normal: FloatArray
@@ -210,6 +215,8 @@ class Eliminated:
     deviations: FloatArray
     own: tuple[FloatArray, ...]
     apart: FloatArray
+    misfit: float
+    seen: int
 
 
 @lru_cache(maxsize=1)
@@ -241,6 +248,7 @@ def eliminate(
     normal, rhs = normal.copy(), rhs.copy()
     size = len(rhs)
     rows, weight, cell_rhs = np.zeros((CELLS, size)), np.zeros(CELLS), np.zeros(CELLS)
+    misfit, seen = 0.0, 0
     variances = own or [surface.own_of(sums) for sums in sightings]
     for sums, variance in zip(sightings, variances, strict=True):
         cells = np.flatnonzero(sums.weight > 0)
@@ -253,6 +261,8 @@ def eliminate(
         rhs -= r.T @ (share * b)
         # what is left of a cell once its own deviation in this sighting is taken away
         left = share / v
+        misfit += float(np.sum(left * b**2 / w))
+        seen += len(cells)
         rows[cells] += r * left[:, None]
         weight[cells] += w * left
         cell_rhs[cells] += b * left
@@ -273,6 +283,8 @@ def eliminate(
         deviations=deviations,
         own=contradictions,
         apart=beyond,
+        misfit=misfit - float(target @ target) + float(left @ left),
+        seen=seen,
     )
 
 

@@ -7,10 +7,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..adjustment.shape_effects import LEG_CELLS
+from ..adjustment.shape_effects import CELLS, LEG_CELLS
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.kernels import kernel
 from ..model.mould import AXIAL_CELLS, AZIMUTH_CELLS, DISC_CELLS
+
+THIN_SHARE = 0.25
+"""Points of a patch over those of a patch of its sighting (median), below which it is left out: where a shadow begins few points of the
+unit are left among mixed pixels and points of what casts it, and these lie there in every epoch."""
 
 
 class Body(NamedTuple):
@@ -64,13 +68,24 @@ def observations(
 ) -> StripObservations:
     """Observations of (n, 3) points of (n,) strips with (s, 3) offsets, metres.
 
-    Points nearer to a crease than ``margin`` are left out; beyond ``tip`` along a leg the cone counts only if the end disc holds it.
+    Points nearer to a crease than ``margin`` are left out, and so are those of patches that hold few; beyond ``tip`` along a leg the cone
+    counts only if the end disc holds it.
     Without ``derived`` no derivatives are formed.
     """
     n = len(points)
     found = StripObservations(np.zeros((n if derived else 0, 7)), np.zeros(n), np.full(n, -1, dtype=np.int64), strips)
     _observe(np.ascontiguousarray(points, dtype=np.float64), strips, offsets, body, (margin, tip), found)
+    _leave_out_thin(found.patches)
     return found
+
+
+def _leave_out_thin(patches: IntArray) -> None:
+    """Leave out the points of patches that hold far fewer than those of their sighting do, in place."""
+    good = patches >= 0
+    counts = np.bincount(patches[good], minlength=CELLS)
+    if counts.any():
+        thin = counts < THIN_SHARE * np.median(counts[counts > 0])
+        patches[good & thin[patches]] = -1
 
 
 @kernel(releases=True)

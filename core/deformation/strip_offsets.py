@@ -340,11 +340,14 @@ class _JointSolver:
 
     def result(self, blocks: Mapping[int, UnitBlock], strips: StripSystem) -> JointAdjustment:
         covariances, scale_sds = {}, {}
+        factors = {unit: factor for surface in self.surfaces.values() for unit, factor in surface.factors().items()}
         for unit, block in blocks.items():
             inverse = block.inverse
             lever = inverse @ block.coupling
             full = inverse + lever @ strips.covariance(unit, block.strips) @ lever.T
-            covariances[unit], scale_sds[unit] = full[:-1, :-1], math.sqrt(full[-1, -1])
+            # a size's deviation says how far it is drawn towards the mean, which its weights decide
+            scale_sds[unit] = math.sqrt(full[-1, -1])
+            covariances[unit] = (full + (factors.get(unit, 1.0) - 1) * inverse)[:-1, :-1]
         poses = []
         for centre, rotation in zip(self.centres, self.rotations):
             u, _, vt = np.linalg.svd(rotation)

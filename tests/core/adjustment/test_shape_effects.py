@@ -62,6 +62,8 @@ def test_elimination_equals_the_direct_solution() -> None:
     found = eliminate(sums.rows[cells].T @ x, x.T @ sums.rhs[cells], [sums], surface, surface.covariance)
     assert found.normal == pytest.approx(expected[0], rel=1e-6, abs=1e-6 * np.abs(expected[0]).max())
     assert found.rhs == pytest.approx(expected[1], rel=1e-6, abs=1e-6 * np.abs(expected[1]).max())
+    assert found.misfit == pytest.approx(y @ np.linalg.solve(total, y))
+    assert found.seen == len(cells)
 
 
 def test_a_cell_in_which_two_epochs_contradict_each_other_loses_weight() -> None:

@@ -124,6 +124,29 @@ def test_the_end_of_a_short_leg_is_seen_where_it_is() -> None:
     assert np.allclose(seen.residuals, -0.02, atol=1e-9)
 
 
+def test_patches_of_few_points_among_full_ones_are_left_out() -> None:
+    """Where a shadow begins little is seen of the unit itself; where all patches hold few none is thin."""
+    body, _, part = sample_surface(UNIT, 60000, np.random.default_rng(5))
+    upper = body[(part != END_DISC) & (body[:, 2] > 0.1)]
+    across = np.stack(leg_frame(UNIT))
+    unit = Body(np.zeros(3), np.eye(3), UNIT.leg_directions, across, ALL_DISCS, UNIT.radius, UNIT.gradient, UNIT.leg_length)
+
+    def patches(points: np.ndarray) -> np.ndarray:
+        strips = np.zeros(len(points), dtype=np.int64)
+        return observations(points, strips, np.zeros((1, 3)), unit, margin=0.005, tip=TIP_RATIO * UNIT.leg_length).patches
+
+    full = patches(upper)
+    chosen = np.unique(full[full >= 0], return_counts=True)
+    rich = chosen[0][chosen[1] > np.median(chosen[1])][:3]
+    hidden = np.isin(full, rich)
+    few = hidden & (np.arange(len(full)) % 40 == 0)
+    kept = patches(upper[~hidden | few])
+    assert not np.isin(kept, rich).any()
+    assert len(np.unique(kept[kept >= 0])) >= 0.9 * (len(chosen[0]) - 3)
+    sparse = patches(upper[::400])
+    assert np.count_nonzero(sparse >= 0) > 0.9 * np.count_nonzero(full >= 0) / 400
+
+
 def test_noise_is_estimated_by_epoch() -> None:
     joint = adjust_jointly(two_epochs(1, spread=0.0, noise=0.01)[0])
     assert joint.noise == pytest.approx([0.01, 0.01], rel=0.1)
