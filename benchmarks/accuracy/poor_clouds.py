@@ -1,11 +1,12 @@
 """How much of a pile is found in sparse, noisy and one-sided clouds, and how well displacements come out; the phase diagram of both.
 
     .venv/bin/python benchmarks/accuracy/poor_clouds.py SURVEY... [--stations TLS_SURVEY] [--run] [--phase] [--folder KEEP] [--json FILE]
+    .venv/bin/python benchmarks/accuracy/poor_clouds.py --image FILE
 
 Surveys are folders with ground truth (../shared/data/uav; simulated ones). Copies thinned to so many points per H², noised to so much of H,
 and of --stations the points of one scanner station alone, are segmented, and with --run run as a whole: then displacements count too.
---phase goes through densities and noises together and prints the table of ``core/adjustment/expectation.py`` as well. The same seed makes
-the same copies.
+--phase goes through densities and noises together and prints the table of ``core/adjustment/expectation.py`` as well; --image draws that
+table. The same seed makes the same copies.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ import numpy as np
 from tetratrack.benchmarks.accuracy.honesty import matched
 from tetratrack.benchmarks.accuracy.poor_copies import Poverty, points_per_square, poor_copy
 from tetratrack.benchmarks.ground_truth import BINS, EpochCloud, match, point_labels, read_epoch, recall_by_visibility
-from tetratrack.core.adjustment.expectation import DENSITIES, NOISES
+from tetratrack.core.adjustment.expectation import CLASSES, DENSITIES, NOISES, RECALL, expected
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey import Survey
 from tetratrack.core.data.survey_reader import read_survey
@@ -41,6 +42,8 @@ POOR = (
     *(Poverty("noise", v) for v in (0.013, 0.021, 0.033)),
 )
 STATIONS = (2, 3, 5)
+SHOWN_HEIGHT = 2.3
+"""Of the units for which the detection limit is drawn, metres."""
 SEEN_WELL = 0.15
 """Visible share in both epochs of the units whose displacements count."""
 
@@ -185,6 +188,33 @@ def table_of_phase(rows: Sequence[dict[str, Any]]) -> str:
     return "\n".join(lines)
 
 
+def picture_of_phase(path: Path) -> None:
+    """Shares of units found over points per H² and noise, one map for each class of visible share; lines: detection limit, % of H."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9, 3.2), dpi=150, layout="constrained")
+    FigureCanvasAgg(figure)
+    unit = UnitType.tetrapod(SHOWN_HEIGHT)
+    limits = [[100 * expected(density, noise, unit).limit / unit.height for density in DENSITIES] for noise in NOISES]
+    for number, name in enumerate(CLASSES):
+        axes = figure.add_subplot(1, len(CLASSES), number + 1)
+        shares = 100 * np.array(RECALL)[:, :, number]
+        axes.imshow(shares, origin="lower", aspect="auto", cmap="YlGnBu", vmin=0, vmax=100)
+        for row, column in np.ndindex(*shares.shape):
+            colour = "white" if shares[row, column] > 55 else "black"
+            axes.text(column, row + 0.3, f"{shares[row, column]:.0f}", ha="center", va="center", fontsize=8, color=colour)
+        lines = axes.contour(limits, levels=(0.5, 1.0, 2.0), colors="#E67E22", linewidths=1.4)
+        axes.clabel(lines, fmt="%g %%", fontsize=7)
+        axes.set_xticks(range(len(DENSITIES)), [f"{density:.0f}" for density in DENSITIES], fontsize=7)
+        axes.set_yticks(range(len(NOISES)), [f"{100 * noise:.1f}" for noise in NOISES], fontsize=7)
+        axes.set_title(f"seen to {name}", fontsize=9)
+        axes.set_xlabel("points per H²", fontsize=8)
+        if not number:
+            axes.set_ylabel("noise, % of H", fontsize=8)
+    figure.savefig(path, metadata={"Software": None})
+
+
 def calibration(scores: Sequence[tuple[float, bool]]) -> str:
     """How often poses of a stated score are right."""
     parts = []
@@ -203,7 +233,11 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--folder", type=Path, help="where the copies are kept; without it they go")
     parser.add_argument("--json", type=Path)
+    parser.add_argument("--image", type=Path, help="the phase diagram as it is in the code, drawn")
     options = parser.parse_args()
+    if options.image:
+        picture_of_phase(options.image)
+        return
     if options.phase:
         rows = phase(options.surveys, options.seed)
         print("\n" + table_of_phase(rows))
