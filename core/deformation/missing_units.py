@@ -30,6 +30,7 @@ from .presence import FEWEST_POINTS, look_up, settled_on
 from .questions import Answer, Ask
 from .tracked_epoch import TrackedEpoch
 from .unit_clouds import ReadCloud, UnitCloud
+from .unit_states import RECOVERED_SCORE, SURE_SCORE
 
 FEWEST_SPARSE_POINTS = 25
 """Points of a unit that is taken up, at least, where the cloud is sparse; elsewhere as many as a pose is adjusted from."""
@@ -44,8 +45,9 @@ SAME_PLACE_HEIGHTS = 0.5
 """Distance of two centres, in unit heights, within which no two solids fit."""
 LEAST_SCORE = 0.4
 """Score of a pose of weak evidence from which it is looked for in another epoch."""
-DOUBTED = 0.05
-"""Joint score of two epochs below which what one of them states is weak evidence; from ``FOUND_SCORE`` on weak evidence is a unit."""
+DOUBTED = 0.5
+"""Score of two epochs' points laid together below which what one of them states is weak evidence: it is likelier none than a unit. From
+``FOUND_SCORE`` on weak evidence is a unit."""
 SAME_POINT = 1e-4
 """Distance in metres below which a point of the cloud is the point of a unit."""
 
@@ -69,6 +71,8 @@ class MissingUnits:
         (k,) how that epoch shows them itself, far from there, each one of the owners; None of those that it misses.
     owners
         Units of that epoch around them: their points are taken.
+    beside
+        Units of the other epoch around them.
     now, before
         Points around them in that epoch and in the other one.
     reach
@@ -81,6 +85,7 @@ class MissingUnits:
     moves: FloatArray
     rivals: tuple[FittedUnit | None, ...]
     owners: tuple[FittedUnit, ...]
+    beside: tuple[FittedUnit, ...]
     now: Around
     before: Around
     reach: float
@@ -108,15 +113,19 @@ class MissingUnits:
                 owned = (self.owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * self.reach))
                 near = [owner for owner in owned if owner is not rival]
                 free = _left_by(near, points, index)
-                pose = settled_on(points[free], pose, known.shape, tolerance, fewest)
+                if rival is None:
+                    pose = settled_on(points[free], pose, known.shape, tolerance, fewest)
                 own = free[np.abs(distance_to_surface(pose.to_body(points[free]), known.shape)) < tolerance]
                 most = MOST_OVERLAP if known.certain else MOST_IN_NOISE
                 if len(own) < fewest or _enters(pose, known.shape, near, most):
                     state, own = "hidden", own[:0]
-                elif rival is not None:
-                    score = _rest_score(known, pose, rival.pose, near, points[index], sparse)
-                elif known.score < SURE_ALONE or not known.certain:
-                    score = _joint_score(known, pose, near, points[index], sparse)
+                elif rival is not None or known.score < SURE_SCORE or not known.certain:
+                    beside, both = _shown_there(self.beside, known, move, near), (points[index], around)
+                    if rival is None:
+                        score = _joint_score(known, pose, near, beside, both, sparse)
+                    else:
+                        score, pose = _at_rest(known, pose, rival.pose, near, beside, both, sparse)
+                        own = free[np.abs(distance_to_surface(pose.to_body(points[free]), known.shape)) < tolerance]
             scores.append(score)
             states.append(state)
             poses.append(pose)
@@ -193,7 +202,8 @@ def look_for_rest(
     """Units that two epochs show far apart, taken up at rest where a poor epoch's points speak for it as well.
 
     In noise part of one unit and its neighbours looks like a unit between them, now and then, in one epoch. Asked once the units are there
-    that one epoch misses: with the points of these it would again.
+    that one epoch misses: with the points of these it would again. Of units that moved the places say so, however little: where they would
+    rest the other epoch's points score nothing.
 
     Parameters
     ----------
@@ -247,6 +257,7 @@ def _answered(
                 moves=moves,
                 rivals=tuple(seen[unit].get(epoch) if seen[unit][reference].certain else None for unit in wanted[key]),
                 owners=places.owners(epoch, centres + moves, 2 * reach),
+                beside=places.owners(reference, centres, 2 * reach),
                 now=surroundings(epoch, centres + moves, reach),
                 before=surroundings(reference, centres, reach),
                 reach=reach,
@@ -322,20 +333,20 @@ def _asked(sightings: Mapping[int, FittedUnit], epochs: int) -> list[tuple[int, 
 def _far_apart(sightings: Mapping[int, FittedUnit], shifts: FloatArray) -> list[tuple[int, int]]:
     """Epochs that are certain of a unit far from where the surest one shows it, each with that one; ``shifts`` as of the clouds.
 
-    So far that a look at both places tells them apart.
+    So far that weak evidence would not be taken for the same unit.
     """
     shown = [e for e, s in sightings.items() if s.certain]
     if not shown:
         return []
     best = max(shown, key=lambda e: (sightings[e].score, -e))
     moved = {e: sightings[best].pose.shifted(shifts[e] - shifts[best]) for e in shown}
-    return [(e, best) for e in shown if e != best and not _is_near(moved[e], sightings[e].pose, sightings[e].shape, times=2)]
+    return [(e, best) for e in shown if e != best and not _is_near(moved[e], sightings[e].pose, sightings[e].shape)]
 
 
-def _is_near(pose: Pose, other: Pose, shape: UnitType, times: float = 1) -> bool:
-    """Whether two poses are one to weak evidence, or to so many times its limits."""
+def _is_near(pose: Pose, other: Pose, shape: UnitType) -> bool:
+    """Whether two poses are one to weak evidence."""
     move, turn = np.linalg.norm(other.centre - pose.centre), nearest_labels(pose, other, shape)[1]
-    return bool(move < times * CONFIRM_MOVE_HEIGHTS * shape.height and turn < times * CONFIRM_TURN)
+    return bool(move < CONFIRM_MOVE_HEIGHTS * shape.height and turn < CONFIRM_TURN)
 
 
 class _Places:
@@ -376,48 +387,90 @@ def _is_sparse(owners: Sequence[FittedUnit], points: FloatArray, height: float) 
     return len(seen) > 1 and point_spacing(seen) > SPARSE_RATIO * height
 
 
-def _joint_score(known: FittedUnit, pose: Pose, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool) -> float:
-    """Probability of a unit by the epoch that shows it and by another one's (n, 3) points around where ``pose`` predicts it.
+def _joint_score(
+    known: FittedUnit,
+    pose: Pose,
+    owners: Sequence[FittedUnit],
+    beside: Sequence[FittedUnit],
+    around: tuple[FloatArray, FloatArray],
+    sparse: bool,
+) -> float:
+    """Probability of a unit by another epoch's (n, 3) points around where ``pose`` predicts it and its own, shifted there, laid together.
 
-    Not finite where these cannot tell: in rich clouds what fits by chance does so in all epochs, and what moved is another question.
+    What rests looks alike in both, rock too, and would count twice if each were judged by itself and the odds multiplied; noise is
+    another one in each. Not finite where these cannot tell: in rich clouds what fits by chance does so in all epochs, and what moved is
+    another question.
     """
-    look = _look_at(pose, known.shape, owners, around, sparse)
-    if look is None:
-        return math.nan
-    joint = _both_say(known.score, look.score)
-    return joint if joint < DOUBTED or _stays(look, pose, known.shape) else math.nan
+    now, before = around
+    look = _look_at(pose, known.shape, owners, now, sparse)
+    both = _look_at(pose, known.shape, [*owners, *beside], np.vstack([now, before]), sparse)
+    if look is not None and look.score >= FOUND_SCORE:
+        # what both epochs' points draw to another place alike was placed badly, and has not moved
+        places = [pose] if both is None else [pose, both.place]
+        if not any(_is_near(look.place, place, known.shape) for place in places):
+            return math.nan
+    if both is None:
+        return math.nan if look is None else _said_once(known.score, look.score)
+    # by its own epoch it was judged among more units: what the points do not speak against stays as sure as it was
+    return both.score if both.score < RECOVERED_SCORE else max(both.score, known.score)
 
 
-def _rest_score(known: FittedUnit, pose: Pose, rival: Pose, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool) -> float:
-    """The same of a unit whose ``rival`` pose the (n, 3) points around were taken for; not finite where they speak for that one."""
-    here = _look_at(pose, known.shape, owners, around, sparse)
-    if here is None or not _stays(here, pose, known.shape):
-        return math.nan
-    there = _look_at(rival, known.shape, owners, around, sparse)
-    # refined, the other one may have come here as well
-    if there is None or (here.score < there.score and not _stays(there, pose, known.shape)):
-        return math.nan
-    return _both_say(known.score, here.score)
+def _said_once(first: float, second: float) -> float:
+    """Probability from two epochs that say the same, where their points are too many together to be judged as poor ones: mean log-odds."""
+    log_odds = np.mean([np.log(value / (1 - value)) for value in np.clip([first, second], 1e-9, 1 - 1e-9)])
+    return float(1 / (1 + np.exp(-log_odds)))
 
 
-def _look_at(pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool) -> SecondLook | None:
+def _shown_there(beside: Sequence[FittedUnit], known: FittedUnit, move: FloatArray, owners: Sequence[FittedUnit]) -> list[FittedUnit]:
+    """Units that the epoch of a unit alone shows around it, where they would be in the other one, whose units are ``owners``."""
+    places = [owner.pose.centre for owner in owners]
+    return [
+        replace(unit, pose=unit.pose.shifted(move))
+        for unit in beside
+        if unit is not known
+        and all(
+            np.linalg.norm(unit.pose.centre + move - place) >= SAME_PLACE_HEIGHTS * unit.shape.height
+            for place in (*places, known.pose.centre + move)
+        )
+    ]
+
+
+def _at_rest(
+    known: FittedUnit,
+    pose: Pose,
+    rival: Pose,
+    owners: Sequence[FittedUnit],
+    beside: Sequence[FittedUnit],
+    around: tuple[FloatArray, FloatArray],
+    sparse: bool,
+) -> tuple[float, Pose]:
+    """The same of a unit whose ``rival`` pose the other epoch's points were taken for, not finite where they speak for that one; and where.
+
+    A unit at rest is where it is predicted. Settled on the points of an epoch that shows little of it, it may slide off as it did when it
+    was found there; it is therefore judged in its place as well.
+    """
+    now, before = around
+    looks = [
+        _look_at(place, known.shape, owners, now, sparse, settle=settle) for place, settle in ((pose, False), (pose, True), (rival, True))
+    ]
+    # settled, the other one may have come here as well, or this one have left
+    here = [look for look in looks if look is not None and _is_near(look.place, pose, known.shape)]
+    best = max(here, key=lambda look: look.score, default=None)
+    if best is None or best.score < max(FOUND_SCORE, *(look.score for look in looks if look is not None)):
+        return math.nan, pose
+    both = _look_at(pose, known.shape, [*owners, *beside], np.vstack([now, before]), sparse)
+    return math.nan if both is None or both.score < FOUND_SCORE else max(both.score, known.score), best.place
+
+
+def _look_at(
+    pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool, *, settle: bool = True
+) -> SecondLook | None:
     """What an epoch's (n, 3) points say of a pose among its units; None in rich clouds."""
     alike = [owner for owner in owners if owner.shape == shape]
     others = np.array([_row(owner.pose) for owner in alike]).reshape(-1, 12)
-    look = second_look(around, _row(pose), others, np.array([owner.score >= SURE_ALONE for owner in alike], dtype=np.bool_), shape)
+    sure = np.array([owner.score >= SURE_ALONE for owner in alike], dtype=np.bool_)
+    look = second_look(around, _row(pose), others, sure, shape, settle=settle)
     return look if look is not None and (look.smoothed or sparse) else None
-
-
-def _stays(look: SecondLook, pose: Pose, shape: UnitType) -> bool:
-    """Whether the points leave a unit where it is predicted, or have brought it there."""
-    return _is_near(pose, Pose(look.pose[:3], look.pose[3:].reshape(3, 3)), shape)
-
-
-def _both_say(first: float, second: float) -> float:
-    """Probability from the odds of two epochs."""
-    first, second = (float(np.clip(value, 1e-9, 1 - 1e-9)) for value in (first, second))
-    odds = first / (1 - first) * second / (1 - second)
-    return odds / (1 + odds)
 
 
 def _row(pose: Pose) -> FloatArray:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..common.arrays import BoolArray, FloatArray
+from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from .aggregation import assign, contested
 from .pose_evidence import evidence
@@ -35,7 +36,7 @@ class SecondLook:
     score
         0 to 1, as of a pose that was found there.
     pose
-        (12,) centre and rotation by rows, refined.
+        (12,) centre and rotation by rows, refined where that was asked for.
     smoothed
         Whether the points were so noisy that their elements were moved onto the surface they share; else they are sparse.
     """
@@ -44,8 +45,15 @@ class SecondLook:
     pose: FloatArray
     smoothed: bool
 
+    @property
+    def place(self) -> Pose:
+        """The pose."""
+        return Pose(self.pose[:3], self.pose[3:].reshape(3, 3))
 
-def second_look(points: FloatArray, pose: FloatArray, others: FloatArray, sure: BoolArray, unit: UnitType) -> SecondLook | None:
+
+def second_look(
+    points: FloatArray, pose: FloatArray, others: FloatArray, sure: BoolArray, unit: UnitType, *, settle: bool = True
+) -> SecondLook | None:
     """Judge a (12,) pose by the (n, 3) points around it, reduced frame; None where these are rich: rock looks alike in all epochs then.
 
     Parameters
@@ -54,6 +62,8 @@ def second_look(points: FloatArray, pose: FloatArray, others: FloatArray, sure: 
         (k, 12) poses of the units around, which have their points.
     sure
         (k,) whether these leave no doubt: units lie among such.
+    settle
+        Refine the pose; else it is judged where it is.
     """
     if len(points) < FEWEST_POINTS:
         return None
@@ -63,9 +73,11 @@ def second_look(points: FloatArray, pose: FloatArray, others: FloatArray, sure: 
     if not (scene.smoothed or is_sparse(scene)):
         return None
     poses, own = np.vstack([others, pose]), len(others)
-    for _ in range(ROUNDS):
+    for _ in range(ROUNDS if settle else 1):
         owner, _ = assign(scene.points, poses, unit, 2.5 * scene.tolerance)
         free = (owner == own) | (owner < 0)
+        if not settle:
+            break
         doubtful = contested(scene.points, owner, poses, unit, CLEARANCE_IN_NOISE * elements.element_noise)
         poses[own] = refine(poses[own:], scene, free & ~doubtful, most=1500, sweeps=20)[0]
     found = evidence(poses[own:], scene, free)

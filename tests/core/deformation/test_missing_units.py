@@ -7,11 +7,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
+import pytest
 from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT, seen_from_above
+from tetratrack.core.deformation import missing_units
 from tetratrack.core.deformation.fitted_unit import FittedUnit
 from tetratrack.core.deformation.missing_units import MissingUnits, look_for_missing, look_for_rest
 from tetratrack.core.deformation.questions import Answer, Ask, Question
@@ -19,6 +21,7 @@ from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
 from tetratrack.core.deformation.unit_clouds import UnitCloud
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import relate
+from tetratrack.core.segmentation.second_look import SecondLook, second_look
 
 POSE = Pose(np.array([0.0, 0.0, 0.0]), Rotation.from_euler("xyz", [0.3, 0.4, 0.5]).as_matrix())
 
@@ -35,6 +38,7 @@ def asked(
     score: float = 1.0,
     certain: bool = True,
     rival: FittedUnit | None = None,
+    beside: tuple[FittedUnit, ...] = (),
 ) -> Answer:
     """What becomes of a unit whose epoch holds ``before``, and nothing else, in one that holds ``now``."""
     return MissingUnits(
@@ -42,6 +46,7 @@ def asked(
         moves=np.zeros((1, 3)),
         rivals=(rival,),
         owners=owners,
+        beside=beside,
         now=lambda: (now, np.zeros(len(now), dtype=np.uint16)),
         before=lambda: (before, np.zeros(len(before), dtype=np.uint16)),
         reach=1.35 * UNIT.reach,
@@ -86,7 +91,7 @@ def test_noisy_points_say_again_how_sure_a_unit_is() -> None:
     assert weak["state"].tolist() == ["there"]
     assert weak["score"][0] > 0.9
     # what is beyond doubt is not asked, and rich clouds cannot tell
-    assert np.isnan(asked(points, points, owners, score=0.97)["score"][0])
+    assert np.isnan(asked(points, points, owners, score=0.995)["score"][0])
     rich = seen_from_above(POSE, rng, 6000, 0.01).points
     assert np.isnan(asked(rich, rich, owners, score=0.6, certain=False)["score"][0])
     # a bed of rock fits it where points were taken for it, and does not look like a unit
@@ -112,9 +117,83 @@ def test_noisy_points_say_whether_a_unit_rests_that_was_found_elsewhere() -> Non
     assert np.isnan(asked(other, rich, (*owners, rival), rival=rival)["score"][0])
 
 
+def test_what_rests_counts_once_and_its_noise_twice(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both epochs' points are judged laid together, among the units of both; odds that agree because the scene does are not multiplied."""
+    rng = np.random.default_rng(7)
+    points, owners = noisy_pile(rng)
+    looks: list[tuple[int, int]] = []
+
+    def look(around: np.ndarray, pose: np.ndarray, others: np.ndarray, *_: object, **__: object) -> SecondLook:
+        looks.append((len(around), len(others)))
+        return SecondLook(0.72, pose, smoothed=True)
+
+    monkeypatch.setattr(missing_units, "second_look", look)
+    # the first of the neighbours that the other epoch shows stands where this one shows it as well
+    also = fitted(owners[0].pose.shifted([0.02, 0.0, 0.0]), np.zeros((0, 3)))
+    alone = fitted(POSE.shifted([0.0, 0.0, -1.2 * UNIT.height]), np.zeros((0, 3)))
+    answer = asked(points, points, owners, score=0.7, beside=(also, alone))
+    assert sorted(looks) == [(len(points), 3), (2 * len(points), 4)]
+    assert answer["score"][0] == 0.72
+    # what its own epoch is surer of stays so unless the points speak against it
+    assert asked(points, points, owners, score=0.9)["score"][0] == 0.72
+    monkeypatch.setattr(missing_units, "second_look", lambda _, pose, *__, **___: SecondLook(0.85, pose, smoothed=True))
+    assert asked(points, points, owners, score=0.9)["score"][0] == 0.9
+
+
+def test_where_both_epochs_are_rich_together_they_speak_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(8)
+    points, owners = noisy_pile(rng)
+
+    def look(around: np.ndarray, pose: np.ndarray, *_: object, **__: object) -> SecondLook | None:
+        return SecondLook(0.7, pose, smoothed=True) if len(around) == len(points) else None
+
+    monkeypatch.setattr(missing_units, "second_look", look)
+    assert asked(points, points, owners, score=0.7)["score"][0] == pytest.approx(0.7)
+
+
+def test_a_pose_is_judged_where_it_is_or_settled() -> None:
+    rng = np.random.default_rng(9)
+    points, _ = noisy_pile(rng)
+    aside = POSE.shifted(np.array([0.03, 0.0, 0.0]) * UNIT.height)
+    row = np.concatenate([aside.centre, aside.rotation.ravel()])
+    left, drawn = (second_look(points, row, np.zeros((0, 12)), np.zeros(0, dtype=bool), UNIT, settle=settle) for settle in (False, True))
+    assert left is not None
+    assert drawn is not None
+    assert np.array_equal(left.pose, row)
+    assert np.linalg.norm(drawn.place.centre - POSE.centre) < 0.01 * UNIT.height
+
+
+def test_a_unit_rests_where_it_is_predicted_or_where_points_draw_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(9)
+    points, _ = noisy_pile(rng)
+    near, far = (POSE.shifted(np.array([way, 0.0, 0.0]) * UNIT.height) for way in (0.03, 0.15))
+    said: dict[str, Any] = {"still": 0.8, "drawn": 0.1, "to": far, "together": 0.9}
+
+    def look(around: np.ndarray, pose: np.ndarray, *_: object, settle: bool = True) -> SecondLook:
+        if len(around) > len(points):
+            return SecondLook(said["together"], pose, smoothed=True)
+        if not settle:
+            return SecondLook(said["still"], pose, smoothed=True)
+        return SecondLook(said["drawn"], np.concatenate([said["to"].centre, said["to"].rotation.ravel()]), smoothed=True)
+
+    monkeypatch.setattr(missing_units, "second_look", look)
+    rival = fitted(far, np.zeros((0, 3)))
+    rests = asked(points, points, (rival,), score=0.95, rival=rival)
+    assert rests["state"].tolist() == ["there"]
+    assert rests["score"][0] == 0.95
+    assert np.array_equal(rests["centre"][0], POSE.centre)
+    said |= {"drawn": 0.85, "to": near}
+    assert np.array_equal(asked(points, points, (rival,), rival=rival)["centre"][0], near.centre)
+    # elsewhere likelier, or against it laid together
+    said |= {"to": far}
+    assert np.isnan(asked(points, points, (rival,), rival=rival)["score"][0])
+    said |= {"to": near, "together": 0.6}
+    assert np.isnan(asked(points, points, (rival,), rival=rival)["score"][0])
+
+
 def test_a_unit_found_far_apart_is_taken_up_where_the_surer_epoch_shows_it() -> None:
     """The less sure epoch is asked; what moved little, or has no second certain sighting, is not."""
-    far, little = 0.25 * UNIT.height, 0.15 * UNIT.height
+    far, little = 0.15 * UNIT.height, 0.08 * UNIT.height
     seen = [
         {0: seen_by(0.9, True, far), 1: seen_by(0.99, True, 0.0)},
         {0: seen_by(0.99, True, 20.0), 1: seen_by(0.9, True, 20.0 + far)},
@@ -135,7 +214,7 @@ def test_what_another_epoch_says_changes_the_evidence() -> None:
     epochs = [TrackedEpoch(label=str(k), time=datetime(2024, 1, 1 + k, tzinfo=UTC), units=(), registration=None) for k in range(2)]
     sightings = [(0.7, True, 0.0), (0.7, True, 9.0), (0.6, False, 20.0), (0.5, False, 20.3), (0.6, False, 40.0), (0.3, False, 60.0)]
     seen = [{0: seen_by(*sighting)} for sighting in sightings]
-    said = {0.0: 0.01, 9.0: np.nan, 20.0: 0.9, 20.3: 0.95, 40.0: 0.5}
+    said = {0.0: 0.4, 9.0: np.nan, 20.0: 0.9, 20.3: 0.95, 40.0: 0.5}
     states, recovered, verdicts = look_for_missing(epochs, seen, [UNIT], np.zeros((2, 3)), lambda *_: seen_nothing, saying(said))
     assert verdicts == {0: False, 3: True}
     assert [(unit, epoch, sighting.score) for unit, epoch, sighting in recovered] == [(1, 1, 0.7), (3, 1, 0.95)]
