@@ -14,14 +14,16 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray, IntArray
 from ..common.neighbourhood import point_tree
+from ..common.voxels import thin
 from ..model.pose import Pose
 from ..model.tetrapod import distance_to_surface
 from ..model.unit_types import UnitType
+from ..segmentation.innermost_layer import innermost_layer
 from ..segmentation.leg_ends import LegEnds
 from ..segmentation.pose_score import SPARSE_RATIO, SURE_ALONE
 from ..segmentation.second_look import SecondLook, second_look
 from ..segmentation.segment import FOUND_SCORE, MOST_IN_NOISE
-from ..segmentation.surface_elements import surface_noise
+from ..segmentation.surface_elements import THINNING_RATIO, surface_noise
 from ..segmentation.unit_size import point_spacing
 from ..segmentation.verification import MOST_OVERLAP, overlap
 from .fitted_unit import FittedUnit
@@ -29,7 +31,7 @@ from .identity import CONFIRM_MOVE_HEIGHTS, CONFIRM_TURN, nearest_labels
 from .presence import FEWEST_POINTS, look_up, settled_on
 from .questions import Answer, Ask
 from .tracked_epoch import TrackedEpoch
-from .unit_clouds import ReadCloud, UnitCloud
+from .unit_clouds import ReadCloud, Sources, UnitCloud
 from .unit_states import RECOVERED_SCORE, SURE_SCORE
 
 FEWEST_SPARSE_POINTS = 25
@@ -94,8 +96,8 @@ class MissingUnits:
     def answer(self) -> Answer:
         """By unit its ``state``, where it is (``centre``, ``rotation``) and its joint ``score``, not finite where that was not asked;
         ``points`` and ``sources`` of those that are there, each unit's from one of ``offsets`` to the next."""
-        points, sources = self.now()
-        other, _ = self.before()
+        points, sources = _innermost(*self.now(), self.height)
+        other, _ = _innermost(*self.before(), self.height)
         tree, other_tree = point_tree(points), point_tree(other)
         owner_tree = cKDTree(np.array([u.pose.centre for u in self.owners]).reshape(-1, 3))
         noise = surface_noise(points, self.height, tree=tree) if len(points) else 0.0
@@ -140,6 +142,12 @@ class MissingUnits:
             "sources": sources[every],
             "offsets": np.cumsum([0, *map(len, taken)]),
         }
+
+
+def _innermost(points: FloatArray, sources: Sources, height: float) -> ReadCloud:
+    """(n, 3) points and (n,) sources without the layers that images leave before a surface: on them, what is gone seems to be there."""
+    kept = innermost_layer(points, thin(points, THINNING_RATIO * height)[0], height)
+    return (points, sources) if kept is None else (points[kept], sources[kept])
 
 
 def look_for_missing(

@@ -76,6 +76,19 @@ def test_a_unit_is_not_taken_up_inside_another_one() -> None:
     assert not len(answer["points"])
 
 
+def test_layers_before_a_surface_show_no_unit() -> None:
+    rng = np.random.default_rng(6)
+    height = UNIT.height
+    before = seen_from_above(POSE, rng, 20000, 0.003 * height).points
+    outwards = relate(POSE.to_body(before), UNIT).normal @ POSE.rotation.T
+    # the unit is gone: a surface lies 0.2 H deeper, and layers of images that bridge the hollow where it was
+    bridged = rng.random(len(before)) < 0.4
+    way = np.where(bridged, rng.uniform(-0.1, 0.03, len(before)), -0.2) * height
+    now = (before + outwards * way[:, None])[outwards[:, 2] > 0.3]
+    assert asked(now, before)["state"].tolist() != ["there"]
+    assert asked(before, before)["state"].tolist() == ["there"]
+
+
 def noisy_pile(rng: np.random.Generator) -> tuple[np.ndarray, tuple[FittedUnit, ...]]:
     """A unit in noise of 3 % of its height, and where its neighbours stand."""
     places = [np.array([1.3 * np.cos(a), 1.3 * np.sin(a), -0.2]) * UNIT.height for a in (0.0, 2.0, 4.0)]
