@@ -20,9 +20,6 @@ from ..core.common.arrays import FloatArray
 from ..core.common.feedback import Feedback
 from ..core.common.patch_means import PatchMeans
 from ..core.data.survey_reader import read_survey
-from ..core.deformation.joint_records import UnitSighting
-from ..core.deformation.strip_offsets import adjust_jointly
-from ..core.deformation.unit_clouds import UnitCloud
 from ..core.model.pose import Pose
 from ..core.model.tetrapod import sample_surface
 from ..core.model.unit_types import UnitType
@@ -72,10 +69,9 @@ def keep_bytecode(package: Path) -> None:
 
 
 def fit_a_unit() -> None:
-    """Adjust a unit made up to points that are equally good, and to points with covariances of their own; then as if seen in two epochs.
+    """Adjust a unit made up to points that are equally good, and to points with covariances of their own.
 
-    The survey's process follows units over epochs later than this one, and by the time elements are formed here it has compiled that
-    loop: none is compiled by both.
+    By the time elements are formed here the survey's process has compiled that loop: none is compiled by both.
     """
     rng = np.random.default_rng(1)
     unit = UnitType.tetrapod(2.3)
@@ -84,8 +80,6 @@ def fit_a_unit() -> None:
     start = Pose(np.full(3, 0.02), np.eye(3))
     for covariances in (None, np.tile(NOISE**2 * np.eye(3), (POINTS, 1, 1))):
         adjust(points, unit, start, options=AdjustmentOptions(radius_sd=0.01, gradient_sd=0.01), covariances=covariances)
-    cloud, discs = UnitCloud.held(points, np.zeros(len(points), dtype=np.uint16)), np.ones(4, dtype=np.bool_)
-    adjust_jointly([UnitSighting(unit=0, epoch=k, pose=start, cloud=cloud, discs=discs, shape=unit) for k in range(2)])
     # the survey's noise is not so large that its elements are smoothed
     smoothed(points, surface_elements(points, unit.height, workers=1), unit.height)
     thin_a_cloud(points)
