@@ -22,9 +22,6 @@ from .surface_elements import BEND_RADIUS_RATIO, THINNING_RATIO, SurfaceElements
 
 NOISY_RATIO = 0.03
 """Tolerance that the noise asks for, as a share of the height, beyond which elements are moved onto the surface first."""
-CORRELATED = 1.25
-"""Noise of elements, means of some points each, over that of single points nearby, beyond which points around err alike and nothing can be
-taken off: 1.34 and more where images err over decimetres, at most 1.12 where every point errs by itself."""
 RADIUS_RATIO = BEND_RADIUS_RATIO
 """Radius of the patches, as a share of the height: a leg's radius is about 0.2."""
 MOST_POINTS = 250

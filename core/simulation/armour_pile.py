@@ -56,6 +56,11 @@ class Site:
     slope: float
     bed: float
 
+    @property
+    def across(self) -> tuple[float, float]:
+        """y of the wall and of the toe, where the rubble slope meets the sea bed."""
+        return self.wall, self.bench_end + (self.bench - self.bed) / self.slope
+
     @classmethod
     def of_height(cls, height: float, units: int, *, parapet: bool) -> Site:
         """Breakwater in proportion to a unit height, long enough for a number of units."""

@@ -29,7 +29,8 @@ class FrameErrors:
     drift
         The same of what each has for itself.
     bowl
-        Height error at the ends of the site, opposite in its middle, of alternating sign by epoch.
+        Height error at the ends of the site, or at wall and toe where it is wider than long; opposite in its middle, and of alternating
+        sign by epoch.
     shortest, longest
         Wave lengths of bend and drift.
     """
@@ -46,10 +47,12 @@ RIGID = FrameErrors()
 
 
 class FrameOfEpoch:
-    """Drawn errors of one epoch, in the frame of the site (x along the wall)."""
+    """Drawn errors of one epoch, by place in the site: x along its wall, from the middle to ``half_length``; y ``across``, from and to."""
 
-    def __init__(self, errors: FrameErrors, epoch: int, half_length: float, seed: int) -> None:
-        self.errors, self.epoch, self.half_length, self.seed = errors, epoch, half_length, seed
+    def __init__(self, errors: FrameErrors, epoch: int, half_length: float, seed: int, *, across: tuple[float, float] = (0.0, 0.0)) -> None:
+        self.errors, self.epoch, self.seed = errors, epoch, seed
+        self.middle = np.array([0.0, 0.5 * (across[0] + across[1])])
+        self.reach = max(half_length, 0.5 * (across[1] - across[0]))
 
     def at(self, points: FloatArray, sources: IntArray | None = None) -> FloatArray:
         """(n, 3) errors at (n, 3) points measured from (n,) strips or stations; of their mean where none are given."""
@@ -59,7 +62,7 @@ class FrameOfEpoch:
             for source in np.unique(sources):
                 own = sources == source
                 total[own] += self._waves(along[own], self.errors.drift, 1 + int(source))
-        radius = np.sum(points[:, :2] ** 2, axis=1) / self.half_length**2
+        radius = np.sum((points[:, :2] - self.middle) ** 2, axis=1) / self.reach**2
         total[:, 2] += self.errors.bowl * (2 * radius - 1) * (-1) ** self.epoch
         return total
 

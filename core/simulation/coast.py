@@ -179,7 +179,8 @@ class CoastSimulation(Simulation):
         return np.vstack(places)
 
     def _bent(self, time: datetime) -> FrameOfEpoch:
-        return FrameOfEpoch(self.plan.frame, self.times.index(time), self.count * self.core, self.plan.seed)
+        length = self.count * self.core
+        return FrameOfEpoch(self.plan.frame, self.times.index(time), length, self.plan.seed, across=self.stretch.across)
 
 
 class _Tiles:

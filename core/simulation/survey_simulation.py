@@ -217,8 +217,8 @@ class Simulation:
         self.turn = Rotation.from_rotvec(np.radians(self.rng.normal(0, self.instrument.turn_deg, 3)))
 
     def _bent(self, time: datetime) -> FrameOfEpoch:
-        length = self.site.half_length if self.site is not None else 3 * self.plan.height
-        return FrameOfEpoch(self.plan.frame, self.times.index(time), length, self.plan.seed)
+        length, across = (self.site.half_length, self.site.across) if self.site is not None else (3 * self.plan.height, (0.0, 0.0))
+        return FrameOfEpoch(self.plan.frame, self.times.index(time), length, self.plan.seed, across=across)
 
     def in_cloud(self, truth: FloatArray) -> FloatArray:
         """(n, 3) points in the CRS of the survey where this epoch's cloud, which errs in its registration, shows them."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
+from tetratrack.core.simulation.armour_pile import Site
 from tetratrack.core.simulation.bent_frames import FrameErrors, FrameOfEpoch
 
 
@@ -34,6 +36,17 @@ def test_a_bowl_alternates_between_epochs() -> None:
     one, two = (FrameOfEpoch(FrameErrors(bowl=0.05), k, 20.0, 0).at(points) for k in (0, 1))
     assert np.allclose(one[:, 2], [-0.05, 0.05])
     assert np.allclose(two, -one)
+
+
+def test_a_bowl_is_no_deeper_at_the_toe_of_a_short_site() -> None:
+    site = Site.of_height(2.3, 40, parapet=True)
+    wall, toe = site.across
+    corners = np.array([[x, y, 0.0] for x in (-site.half_length, 0.0, site.half_length) for y in np.linspace(wall, toe, 5)])
+    heights = FrameOfEpoch(FrameErrors(bowl=0.05), 0, site.half_length, 0, across=site.across).at(corners)[:, 2]
+    assert heights.min() == pytest.approx(-0.05)
+    assert heights[corners[:, 0] == 0].max() <= 0.05 + 1e-12
+    # a corner is farther from the middle than either end
+    assert heights.max() <= 3 * 0.05 + 1e-12
 
 
 def test_without_errors_a_frame_is_rigid() -> None:
