@@ -12,6 +12,8 @@ MOST_HELD = 500_000
 """Numbers that are held: more are counted, and those near the median held the next time they are given."""
 MOST_BINS_LOG2 = 19
 """Bins that the rest is counted in, as a power of two; of all numbers, a bin is then 0.4 % wide."""
+NEAR = 0.05
+"""Relative distance from what the median is expected to be within which numbers are held at first."""
 _INFINITY = 0x7FF0 << 48
 
 
@@ -19,10 +21,13 @@ class StreamedMedian:
     """Median of numbers >= 0, the same to the last bit as that of all at once.
 
     Give all numbers by :meth:`add`, then ask :meth:`settled`; where it says no, give them all once more. Up to ``most_held`` numbers
-    settle at once and almost any others the second time, when all but those near the median are only counted.
+    settle at once and almost any others the second time, when all but those near the median are only counted. Many more settle at
+    once if the median is about what it was ``expected`` to be.
 
     Parameters
     ----------
+    expected
+        About what the median will be, such as that of an earlier look at the same things; nan where nothing is known.
     most_held
         Numbers held at a time; ``held`` says how many are.
 
@@ -32,19 +37,23 @@ class StreamedMedian:
         The median once it is settled; nan where no numbers were given.
     """
 
-    def __init__(self, most_held: int = MOST_HELD) -> None:
+    def __init__(self, expected: float = math.nan, *, most_held: int = MOST_HELD) -> None:
         self.value = math.nan
         self._most_held = most_held
         self._done = False
         self._parting: int | None = None
         self._neighbours = (0, _INFINITY)
-        self._look_between(0, _INFINITY)
+        if expected > 0:
+            first, last = np.array([expected * (1 - NEAR), expected * (1 + NEAR)]).view(np.int64)
+            self._look_between(int(first), int(last))
+        else:
+            self._look_between(0, _INFINITY)
 
     def _look_between(self, first: int, last: int) -> None:
         """Start anew: only numbers with these patterns of bits matter, which for numbers >= 0 are in the order of the numbers."""
         self._first, self._last = first, last
         self._shift = max((last - first).bit_length() - MOST_BINS_LOG2, 0)
-        self._below = self._count = self.held = 0
+        self._below = self._count = self._inside = self.held = 0
         self._pieces: list[IntArray] = []
         self._bins: IntArray | None = None
 
@@ -64,6 +73,7 @@ class StreamedMedian:
         self._count += len(bits)
         self._below += int(np.sum(bits < self._first))
         self._pieces.append(bits[(bits >= self._first) & (bits < self._last)])
+        self._inside += len(self._pieces[-1])
         self.held += len(self._pieces[-1])
         if self.held > self._most_held:
             self._bins = self._counted()
@@ -84,6 +94,10 @@ class StreamedMedian:
         if self._parting is not None:
             return self._settle(np.array(self._neighbours))
         ranks = np.array([(self._count - 1) // 2, self._count // 2]) - self._below
+        if ranks[0] < 0 or ranks[1] >= self._inside:
+            # not where it was expected
+            self._look_between(0, _INFINITY)
+            return False
         if self._bins is None:
             return self._settle(np.sort(np.concatenate(self._pieces))[ranks])
         bins = np.searchsorted(np.cumsum(self._counted()), ranks, side="right")

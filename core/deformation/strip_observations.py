@@ -81,11 +81,11 @@ def observations(
 
 def _leave_out_thin(patches: IntArray) -> None:
     """Leave out the points of patches that hold far fewer than those of their sighting do, in place."""
-    good = patches >= 0
-    counts = np.bincount(patches[good], minlength=CELLS)
+    counts = np.bincount(patches + 1, minlength=CELLS + 1)[1:]
     if counts.any():
         thin = counts < THIN_SHARE * np.median(counts[counts > 0])
-        patches[good & thin[patches]] = -1
+        # -1 asks for the last patch, and stays what it is
+        patches[thin[patches]] = -1
 
 
 @kernel(releases=True)

@@ -22,10 +22,11 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from ..adjustment.shape_effects import CELLS, LEG_CELLS, CellSums, Eliminated
-from ..common.arrays import FloatArray, upper_triangle
+from ..common.arrays import FloatArray, IntArray, upper_triangle
 from ..common.kernels import side_by_side
 from ..common.positive_definite import largest_sd
 from ..common.robust import MAD_TO_SD, TUKEY
@@ -145,7 +146,7 @@ class _JointSolver:
         margin = 0.03 * unit.radius if math.isnan(noise) else max(1.5 * noise, 0.01 * unit.radius)
         points, sources = cloud
         offsets = self.offsets_at(s.unit)
-        strips = np.zeros(0, dtype=np.int64) if not len(sources) else self.strips_of[number][np.searchsorted(s.cloud.ids, sources)]
+        strips = _table(s.cloud.ids, self.strips_of[number])[sources]
         body = Body(
             centre=self.centres[number],
             rotation=self.rotations[number],
@@ -162,7 +163,7 @@ class _JointSolver:
     def estimate_noise(self) -> None:
         """Noise by epoch from residuals less their patch's mean; spread of the patches beyond what noise explains."""
         before = self.noise.copy()
-        within = [StreamedMedian() for _ in range(self.epochs)]
+        within = [StreamedMedian(noise / MAD_TO_SD) for noise in before]
         spread, share = StreamedMedian(), StreamedMedian()
         settled = False
         while not settled:
@@ -200,8 +201,9 @@ class _JointSolver:
         cells = []
         # epochs that show the same leg alone see mostly the same side of it: tied, what they share cancels in their difference
         tied = [bool(not self.open[k] or self.open[list(members)].all()) for k in members]
+        number_of_strip = _table(touched, np.arange(len(touched)))
         for body, (k, seen) in enumerate(zip(members, sightings, strict=True)):
-            local = np.searchsorted(touched, seen.strips)
+            local = number_of_strip[seen.strips]
             noise = float(self.noise[self.sightings[k].epoch])
             # once the surface is known, points are judged against it
             window = math.hypot(noise, surface.roughness if surface.learned else self.surface_sd)
@@ -368,6 +370,13 @@ class _JointSolver:
             else StripDrifts(knots=self.knots, numbers=self.strips, values=self.values.drifts, places=self.place_of),
             surfaces={shape: surface.model for shape, surface in self.surfaces.items()},
         )
+
+
+def _table(keys: NDArray[np.integer], values: IntArray) -> IntArray:
+    """(largest of the keys + 1,) value by ascending key: looking up is quicker than searching for the key of every point."""
+    table = np.zeros(int(keys[-1]) + 1 if len(keys) else 0, dtype=np.int64)
+    table[keys] = values
+    return table
 
 
 def _inverse(normal: FloatArray, length: float) -> FloatArray:

@@ -7,9 +7,9 @@ import pytest
 from tetratrack.core.deformation.streamed_median import StreamedMedian
 
 
-def streamed(pieces: list[np.ndarray], most_held: int) -> tuple[float, int]:
+def streamed(pieces: list[np.ndarray], most_held: int, expected: float = np.nan) -> tuple[float, int]:
     """Median of all pieces, and how often they had to be given."""
-    median = StreamedMedian(most_held)
+    median = StreamedMedian(expected, most_held=most_held)
     for times in range(1, 6):
         for piece in pieces:
             median.add(piece)
@@ -43,10 +43,23 @@ def test_numbers_that_bins_do_not_part(numbers: np.ndarray) -> None:
     assert streamed(np.array_split(numbers, 10), 40)[0] == np.median(numbers)
 
 
+@pytest.mark.parametrize(("off", "times"), [(1.0, 1), (1.04, 1), (0.96, 1), (1.2, 3), (0.8, 3), (0.0, 2), (1e6, 3)])
+def test_an_expected_median_settles_at_once_and_a_wrong_one_does_no_harm(off: float, times: int) -> None:
+    numbers = np.abs(np.random.default_rng(5).normal(0, 0.01, 5000))
+    pieces, median = np.array_split(numbers, 7), float(np.median(numbers))
+    assert streamed(pieces, 1000, off * median) == (median, times)
+
+
+def test_the_two_numbers_in_the_middle_may_lie_on_both_sides_of_what_is_looked_at() -> None:
+    numbers = np.repeat([0.5, 1.0], [100, 100])
+    for expected in (0.5, 0.51, 0.75, 1.0):
+        assert streamed([numbers], 1000, expected)[0] == 0.75
+
+
 def test_little_is_held() -> None:
     rng = np.random.default_rng(3)
     pieces = [np.abs(rng.normal(0, 0.01, 1000)) for _ in range(200)]
-    median = StreamedMedian(5000)
+    median = StreamedMedian(most_held=5000)
     for _ in range(2):
         for piece in pieces:
             median.add(piece)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tracemalloc
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -268,6 +269,17 @@ def test_a_strip_that_drifts_is_straightened() -> None:
     error -= error.mean(axis=0)
     assert np.sqrt(np.mean(error**2)) < 0.002
     assert np.mean(error**2 / np.einsum("nii->ni", covariances)) < 2.5
+
+
+def test_points_are_looked_at_once_for_a_noise_that_is_about_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many they are: once for each step and each estimate of the noise, and once more for the first estimate alone."""
+    monkeypatch.setattr(strip_offsets, "StreamedMedian", partial(StreamedMedian, most_held=2000))
+    sightings, _ = two_epochs(6, spread=0.001)
+    times = []
+    read = sightings[0].cloud.read
+    sightings[0] = replace(sightings[0], cloud=UnitCloud(sightings[0].cloud.ids, lambda: (times.append(1), read())[1]))
+    adjust_jointly(sightings)
+    assert len(times) <= strip_offsets.MAX_ITERATIONS + 4 + 1
 
 
 def test_stiff_strips_stay_stiff() -> None:
