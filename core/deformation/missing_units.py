@@ -20,19 +20,16 @@ from ..model.tetrapod import distance_to_surface
 from ..model.unit_types import UnitType
 from ..segmentation.innermost_layer import innermost_layer
 from ..segmentation.leg_ends import LegEnds
-from ..segmentation.pose_score import SPARSE_RATIO, SURE_ALONE
-from ..segmentation.second_look import SecondLook, second_look
 from ..segmentation.segment import FOUND_SCORE, MOST_IN_NOISE
 from ..segmentation.surface_elements import THINNING_RATIO, surface_noise
-from ..segmentation.unit_size import point_spacing
 from ..segmentation.verification import MOST_OVERLAP, overlap
+from .evidence_of_epochs import DOUBTED, SAME_PLACE_HEIGHTS, is_near, is_sparse_there, joint_score, pose_row, score_at_rest, shown_there
 from .fitted_unit import FittedUnit
-from .identity import CONFIRM_MOVE_HEIGHTS, CONFIRM_TURN, nearest_labels
 from .presence import FEWEST_POINTS, look_up, settled_on
 from .questions import Answer, Ask
 from .tracked_epoch import TrackedEpoch
 from .unit_clouds import ReadCloud, Sources, UnitCloud
-from .unit_states import RECOVERED_SCORE, SURE_SCORE
+from .unit_states import SURE_SCORE
 
 FEWEST_SPARSE_POINTS = 25
 """Points of a unit that is taken up, at least, where the cloud is sparse; elsewhere as many as a pose is adjusted from."""
@@ -43,13 +40,8 @@ LOOK_UP_REACHES = 1.35
 """Distance from a missing unit's centre, in reaches of a unit, in which its place is looked at."""
 NEIGHBOURS = 9
 """Units whose median motion says where a unit would be that one epoch does not show."""
-SAME_PLACE_HEIGHTS = 0.5
-"""Distance of two centres, in unit heights, within which no two solids fit."""
 LEAST_SCORE = 0.4
 """Score of a pose of weak evidence from which it is looked for in another epoch."""
-DOUBTED = 0.5
-"""Score of two epochs' points laid together below which what one of them states is weak evidence: it is likelier none than a unit. From
-``FOUND_SCORE`` on weak evidence is a unit."""
 SAME_POINT = 1e-4
 """Distance in metres below which a point of the cloud is the point of a unit."""
 
@@ -101,7 +93,7 @@ class MissingUnits:
         tree, other_tree = point_tree(points), point_tree(other)
         owner_tree = cKDTree(np.array([u.pose.centre for u in self.owners]).reshape(-1, 3))
         noise = surface_noise(points, self.height, tree=tree) if len(points) else 0.0
-        sparse = _is_sparse(self.owners, points, self.height)
+        sparse = is_sparse_there(self.owners, points, self.height)
         fewest = FEWEST_SPARSE_POINTS if sparse else FEWEST_POINTS
         states, poses, taken, scores = [], [], [], []
         for known, move, rival in zip(self.units, self.moves, self.rivals, strict=True):
@@ -122,11 +114,11 @@ class MissingUnits:
                 if len(own) < fewest or _enters(pose, known.shape, near, most):
                     state, own = "hidden", own[:0]
                 elif rival is not None or known.score < SURE_SCORE or not known.certain:
-                    beside, both = _shown_there(self.beside, known, move, near), (points[index], around)
+                    beside, both = shown_there(self.beside, known, move, near), (points[index], around)
                     if rival is None:
-                        score = _joint_score(known, pose, near, beside, both, sparse)
+                        score = joint_score(known, pose, near, beside, both, sparse)
                     else:
-                        score, pose = _at_rest(known, pose, rival.pose, near, beside, both, sparse)
+                        score, pose = score_at_rest(known, pose, rival.pose, near, beside, both, sparse)
                         own = free[np.abs(distance_to_surface(pose.to_body(points[free]), known.shape)) < tolerance]
             scores.append(score)
             states.append(state)
@@ -348,13 +340,7 @@ def _far_apart(sightings: Mapping[int, FittedUnit], shifts: FloatArray) -> list[
         return []
     best = max(shown, key=lambda e: (sightings[e].score, -e))
     moved = {e: sightings[best].pose.shifted(shifts[e] - shifts[best]) for e in shown}
-    return [(e, best) for e in shown if e != best and not _is_near(moved[e], sightings[e].pose, sightings[e].shape)]
-
-
-def _is_near(pose: Pose, other: Pose, shape: UnitType) -> bool:
-    """Whether two poses are one to weak evidence."""
-    move, turn = np.linalg.norm(other.centre - pose.centre), nearest_labels(pose, other, shape)[1]
-    return bool(move < CONFIRM_MOVE_HEIGHTS * shape.height and turn < CONFIRM_TURN)
+    return [(e, best) for e in shown if e != best and not is_near(moved[e], sightings[e].pose, sightings[e].shape)]
 
 
 class _Places:
@@ -385,109 +371,9 @@ class _Places:
         return np.asarray(np.median(known[1][known[0].query(places, k=NEIGHBOURS)[1]], axis=1))
 
 
-def _is_sparse(owners: Sequence[FittedUnit], points: FloatArray, height: float) -> bool:
-    """Whether the number of points limits what an epoch shows, by its unit that holds most, or by (n, 3) points where none is near.
-
-    What is half hidden is sparse in every cloud.
-    """
-    held = max((owner.cloud.read()[0] for owner in owners), key=len, default=points)
-    seen = held if len(held) > 1 else points
-    return len(seen) > 1 and point_spacing(seen) > SPARSE_RATIO * height
-
-
-def _joint_score(
-    known: FittedUnit,
-    pose: Pose,
-    owners: Sequence[FittedUnit],
-    beside: Sequence[FittedUnit],
-    around: tuple[FloatArray, FloatArray],
-    sparse: bool,
-) -> float:
-    """Probability of a unit by another epoch's (n, 3) points around where ``pose`` predicts it and its own, shifted there, laid together.
-
-    What rests looks alike in both, rock too, and would count twice if each were judged by itself and the odds multiplied; noise is
-    another one in each. Not finite where these cannot tell: in rich clouds what fits by chance does so in all epochs, and what moved is
-    another question.
-    """
-    now, before = around
-    look = _look_at(pose, known.shape, owners, now, sparse)
-    both = _look_at(pose, known.shape, [*owners, *beside], np.vstack([now, before]), sparse)
-    if look is not None and look.score >= FOUND_SCORE:
-        # what both epochs' points draw to another place alike was placed badly, and has not moved
-        places = [pose] if both is None else [pose, both.place]
-        if not any(_is_near(look.place, place, known.shape) for place in places):
-            return math.nan
-    if both is None:
-        return math.nan if look is None else _said_once(known.score, look.score)
-    # by its own epoch it was judged among more units: what the points do not speak against stays as sure as it was
-    return both.score if both.score < RECOVERED_SCORE else max(both.score, known.score)
-
-
-def _said_once(first: float, second: float) -> float:
-    """Probability from two epochs that say the same, where their points are too many together to be judged as poor ones: mean log-odds."""
-    log_odds = np.mean([np.log(value / (1 - value)) for value in np.clip([first, second], 1e-9, 1 - 1e-9)])
-    return float(1 / (1 + np.exp(-log_odds)))
-
-
-def _shown_there(beside: Sequence[FittedUnit], known: FittedUnit, move: FloatArray, owners: Sequence[FittedUnit]) -> list[FittedUnit]:
-    """Units that the epoch of a unit alone shows around it, where they would be in the other one, whose units are ``owners``."""
-    places = [owner.pose.centre for owner in owners]
-    return [
-        replace(unit, pose=unit.pose.shifted(move))
-        for unit in beside
-        if unit is not known
-        and all(
-            np.linalg.norm(unit.pose.centre + move - place) >= SAME_PLACE_HEIGHTS * unit.shape.height
-            for place in (*places, known.pose.centre + move)
-        )
-    ]
-
-
-def _at_rest(
-    known: FittedUnit,
-    pose: Pose,
-    rival: Pose,
-    owners: Sequence[FittedUnit],
-    beside: Sequence[FittedUnit],
-    around: tuple[FloatArray, FloatArray],
-    sparse: bool,
-) -> tuple[float, Pose]:
-    """The same of a unit whose ``rival`` pose the other epoch's points were taken for, not finite where they speak for that one; and where.
-
-    A unit at rest is where it is predicted. Settled on the points of an epoch that shows little of it, it may slide off as it did when it
-    was found there; it is therefore judged in its place as well.
-    """
-    now, before = around
-    looks = [
-        _look_at(place, known.shape, owners, now, sparse, settle=settle) for place, settle in ((pose, False), (pose, True), (rival, True))
-    ]
-    # settled, the other one may have come here as well, or this one have left
-    here = [look for look in looks if look is not None and _is_near(look.place, pose, known.shape)]
-    best = max(here, key=lambda look: look.score, default=None)
-    if best is None or best.score < max(FOUND_SCORE, *(look.score for look in looks if look is not None)):
-        return math.nan, pose
-    both = _look_at(pose, known.shape, [*owners, *beside], np.vstack([now, before]), sparse)
-    return math.nan if both is None or both.score < FOUND_SCORE else max(both.score, known.score), best.place
-
-
-def _look_at(
-    pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool, *, settle: bool = True
-) -> SecondLook | None:
-    """What an epoch's (n, 3) points say of a pose among its units; None in rich clouds."""
-    alike = [owner for owner in owners if owner.shape == shape]
-    others = np.array([_row(owner.pose) for owner in alike]).reshape(-1, 12)
-    sure = np.array([owner.score >= SURE_ALONE for owner in alike], dtype=np.bool_)
-    look = second_look(around, _row(pose), others, sure, shape, settle=settle)
-    return look if look is not None and (look.smoothed or sparse) else None
-
-
-def _row(pose: Pose) -> FloatArray:
-    return np.concatenate([pose.centre, pose.rotation.ravel()])
-
-
 def _enters(pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], most: float) -> bool:
     """Whether more than a share of a unit in this pose would be where one of the epoch's units is: no two solids share a place."""
-    return any(overlap(_row(pose), _row(owner.pose), shape, owner.shape) > most for owner in owners)
+    return any(overlap(pose_row(pose), pose_row(owner.pose), shape, owner.shape) > most for owner in owners)
 
 
 def _left_by(owners: Sequence[FittedUnit], points: FloatArray, index: IntArray) -> IntArray:

@@ -27,11 +27,12 @@ from .displacement import SECONDS_PER_YEAR, FramePart, Velocity, velocity
 from .elastic_congruence import FrameTie
 from .epoch_frames import EpochFrames, FrameChoice, estimate_frames
 from .epoch_pairs import EpochPair, TrackedUnits, compare_epochs, joint_block, shifts_between, unit_shape
+from .evidence_of_epochs import SAME_PLACE_HEIGHTS
 from .fitted_unit import FittedUnit
 from .identity import FoundUnits, Track, identify
 from .joint_records import JointAdjustment, UnitSighting
 from .legs_over_epochs import legs_over_epochs
-from .missing_units import SAME_PLACE_HEIGHTS, Surroundings, look_for_missing, look_for_rest
+from .missing_units import Surroundings, look_for_missing, look_for_rest
 from .open_displacements import hold_open_displacements
 from .questions import Ask, answered_here
 from .relocation import join_relocated

@@ -1,7 +1,8 @@
 """How sure a pose that another epoch shows is that of a unit, by the points that this one holds there.
 
 In noise and in sparse clouds rock looks like a part of a unit now and then, in one epoch here and in another one there; what is a unit
-looks like one in all that see it. Each epoch's points are therefore worth asking by themselves.
+looks like one in all that see it. Each epoch's points are therefore worth asking by themselves. Rich points that agree say nothing, as rock
+at rest looks alike in all epochs; what they say against a pose does.
 """
 
 from __future__ import annotations
@@ -10,15 +11,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..common.arrays import BoolArray, FloatArray
+from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from .aggregation import assign, contested
 from .pose_evidence import evidence
 from .pose_refinement import refine
-from .pose_score import AMONG_HEIGHTS, is_sparse, score, score_in_company, score_with_residuals, typical_unit
+from .pose_score import (
+    AMONG_HEIGHTS,
+    TypicalUnit,
+    is_sparse,
+    score,
+    score_in_company,
+    score_with_residuals,
+    typical_unit,
+    where_bridged,
+)
 from .raw_residuals import raw_residuals
-from .scene import Scene
+from .scene import Evidence, Scene
 from .segment import CLEARANCE_IN_NOISE, cloud_elements
 
 ROUNDS = 2
@@ -52,7 +62,14 @@ class SecondLook:
 
 
 def second_look(
-    points: FloatArray, pose: FloatArray, others: FloatArray, sure: BoolArray, unit: UnitType, *, settle: bool = True
+    points: FloatArray,
+    pose: FloatArray,
+    others: FloatArray,
+    sure: BoolArray,
+    unit: UnitType,
+    *,
+    settle: bool = True,
+    rich: bool = False,
 ) -> SecondLook | None:
     """Judge a (12,) pose by the (n, 3) points around it, reduced frame; None where these are rich: rock looks alike in all epochs then.
 
@@ -64,13 +81,16 @@ def second_look(
         (k,) whether these leave no doubt: units lie among such.
     settle
         Refine the pose; else it is judged where it is.
+    rich
+        Judge it by rich points as well, for what speaks against it.
     """
     if len(points) < FEWEST_POINTS:
         return None
     cloud = cloud_elements(points, unit, workers=1)
     points, elements, tolerance = cloud.points, cloud.elements, cloud.tolerance
     scene = Scene.of(elements, unit, tolerance)
-    if not (scene.smoothed or is_sparse(scene)):
+    poor = scene.smoothed or is_sparse(scene)
+    if not (poor or rich):
         return None
     poses, own = np.vstack([others, pose]), len(others)
     for _ in range(ROUNDS if settle else 1):
@@ -83,9 +103,15 @@ def second_look(
     found = evidence(poses[own:], scene, free)
     near = np.linalg.norm(others[:, :3] - poses[own, :3], axis=1) < AMONG_HEIGHTS * unit.height
     company = np.log1p([np.count_nonzero(sure & near)])
-    typical = typical_unit(found, scene)
+    typical = typical_unit(found, scene) if poor else _typical_around(poses, owner, scene)
     scores = score_in_company(score(found, tolerance, typical), found, company, tolerance, typical)
     if scene.smoothed:
         # of the units around a part is seen here: what is usual on them cannot be told
         scores = score_with_residuals(scores, raw_residuals(points, poses, unit, cloud.thinned.noise)[own:], found.support)
     return SecondLook(float(scores[0]), poses[own], scene.smoothed)
+
+
+def _typical_around(poses: FloatArray, owner: IntArray, scene: Scene) -> TypicalUnit:
+    """What (k, 12) poses in a rich cloud have in common, each by the elements whose (n,) owner it is: how surfaces lie, what is bridged."""
+    found = Evidence.joined([evidence(pose[None], scene, (owner == k) | (owner < 0)) for k, pose in enumerate(poses)])
+    return where_bridged(typical_unit(found, scene), found)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT, seen_from_above
-from tetratrack.core.deformation import missing_units
+from tetratrack.core.deformation import evidence_of_epochs
 from tetratrack.core.deformation.fitted_unit import FittedUnit
 from tetratrack.core.deformation.missing_units import MissingUnits, look_for_missing, look_for_rest
 from tetratrack.core.deformation.questions import Answer, Ask, Question
@@ -115,6 +115,20 @@ def test_noisy_points_say_again_how_sure_a_unit_is() -> None:
     assert rock["score"][0] < 0.05
 
 
+def test_rich_points_speak_against_what_chance_aligned() -> None:
+    """Where they agree nothing is said: rock that fits looks alike in all epochs."""
+    rng = np.random.default_rng(11)
+    _, owners = noisy_pile(rng)
+    bed = np.column_stack([rng.uniform(-1.2, 1.2, (9000, 2)), rng.normal(0.55, 0.01, 9000)])
+    own = bed[np.abs(relate(POSE.to_body(bed), UNIT).distance) < 0.05]
+    rock = asked(bed, own, owners, score=0.8)
+    assert rock["state"].tolist() == ["there"]
+    assert rock["score"][0] < 0.3
+    assert np.isnan(asked(bed, own, owners, score=0.8, certain=False)["score"][0])
+    rich, again = (seen_from_above(POSE, rng, 6000, 0.01).points for _ in range(2))
+    assert np.isnan(asked(again, rich, owners, score=0.8)["score"][0])
+
+
 def test_noisy_points_say_whether_a_unit_rests_that_was_found_elsewhere() -> None:
     rng = np.random.default_rng(5)
     points, owners = noisy_pile(rng)
@@ -140,7 +154,7 @@ def test_what_rests_counts_once_and_its_noise_twice(monkeypatch: pytest.MonkeyPa
         looks.append((len(around), len(others)))
         return SecondLook(0.72, pose, smoothed=True)
 
-    monkeypatch.setattr(missing_units, "second_look", look)
+    monkeypatch.setattr(evidence_of_epochs, "second_look", look)
     # the first of the neighbours that the other epoch shows stands where this one shows it as well
     also = fitted(owners[0].pose.shifted([0.02, 0.0, 0.0]), np.zeros((0, 3)))
     alone = fitted(POSE.shifted([0.0, 0.0, -1.2 * UNIT.height]), np.zeros((0, 3)))
@@ -149,7 +163,7 @@ def test_what_rests_counts_once_and_its_noise_twice(monkeypatch: pytest.MonkeyPa
     assert answer["score"][0] == 0.72
     # what its own epoch is surer of stays so unless the points speak against it
     assert asked(points, points, owners, score=0.9)["score"][0] == 0.72
-    monkeypatch.setattr(missing_units, "second_look", lambda _, pose, *__, **___: SecondLook(0.85, pose, smoothed=True))
+    monkeypatch.setattr(evidence_of_epochs, "second_look", lambda _, pose, *__, **___: SecondLook(0.85, pose, smoothed=True))
     assert asked(points, points, owners, score=0.9)["score"][0] == 0.9
 
 
@@ -160,7 +174,7 @@ def test_where_both_epochs_are_rich_together_they_speak_once(monkeypatch: pytest
     def look(around: np.ndarray, pose: np.ndarray, *_: object, **__: object) -> SecondLook | None:
         return SecondLook(0.7, pose, smoothed=True) if len(around) == len(points) else None
 
-    monkeypatch.setattr(missing_units, "second_look", look)
+    monkeypatch.setattr(evidence_of_epochs, "second_look", look)
     assert asked(points, points, owners, score=0.7)["score"][0] == pytest.approx(0.7)
 
 
@@ -182,14 +196,14 @@ def test_a_unit_rests_where_it_is_predicted_or_where_points_draw_it(monkeypatch:
     near, far = (POSE.shifted(np.array([way, 0.0, 0.0]) * UNIT.height) for way in (0.03, 0.15))
     said: dict[str, Any] = {"still": 0.8, "drawn": 0.1, "to": far, "together": 0.9}
 
-    def look(around: np.ndarray, pose: np.ndarray, *_: object, settle: bool = True) -> SecondLook:
+    def look(around: np.ndarray, pose: np.ndarray, *_: object, settle: bool = True, **__: object) -> SecondLook:
         if len(around) > len(points):
             return SecondLook(said["together"], pose, smoothed=True)
         if not settle:
             return SecondLook(said["still"], pose, smoothed=True)
         return SecondLook(said["drawn"], np.concatenate([said["to"].centre, said["to"].rotation.ravel()]), smoothed=True)
 
-    monkeypatch.setattr(missing_units, "second_look", look)
+    monkeypatch.setattr(evidence_of_epochs, "second_look", look)
     rival = fitted(far, np.zeros((0, 3)))
     rests = asked(points, points, (rival,), score=0.95, rival=rival)
     assert rests["state"].tolist() == ["there"]

@@ -1,0 +1,154 @@
+"""How sure a unit that one epoch shows is by what the points of another epoch say of its place, and by the points of both."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..common.arrays import FloatArray
+from ..model.pose import Pose
+from ..model.unit_types import UnitType
+from ..segmentation.pose_score import SPARSE_RATIO, SURE_ALONE
+from ..segmentation.second_look import SecondLook, second_look
+from ..segmentation.segment import FOUND_SCORE
+from ..segmentation.unit_size import point_spacing
+from .fitted_unit import FittedUnit
+from .identity import CONFIRM_MOVE_HEIGHTS, CONFIRM_TURN, nearest_labels
+from .unit_states import RECOVERED_SCORE
+
+SAME_PLACE_HEIGHTS = 0.5
+"""Distance of two centres, in unit heights, within which no two solids fit."""
+DOUBTED = 0.5
+"""Score of two epochs' points laid together below which what one of them states is weak evidence: it is likelier none than a unit. From
+``FOUND_SCORE`` on weak evidence is a unit."""
+
+
+def joint_score(
+    known: FittedUnit,
+    pose: Pose,
+    owners: Sequence[FittedUnit],
+    beside: Sequence[FittedUnit],
+    around: tuple[FloatArray, FloatArray],
+    sparse: bool,
+) -> float:
+    """Probability of a unit by another epoch's (n, 3) points around where ``pose`` predicts it and its own, shifted there, laid together.
+
+    What rests looks alike in both, rock too, and would count twice if each were judged by itself and the odds multiplied; noise is
+    another one in each. Not finite where these cannot tell: in rich clouds what fits by chance may do so in all epochs, where these do not
+    speak against it, and what moved is another question.
+    """
+    now, before = around
+    look = _look_at(pose, known.shape, owners, now, sparse)
+    both = _look_at(pose, known.shape, [*owners, *beside], np.vstack([now, before]), sparse)
+    if look is not None and look.score >= FOUND_SCORE:
+        # what both epochs' points draw to another place alike was placed badly, and has not moved
+        places = [pose] if both is None else [pose, both.place]
+        if not any(is_near(look.place, place, known.shape) for place in places):
+            return math.nan
+    if both is None:
+        return _spoken_against(known, pose, owners, now) if look is None else _said_once(known.score, look.score)
+    # by its own epoch it was judged among more units: what the points do not speak against stays as sure as it was
+    return both.score if both.score < RECOVERED_SCORE else max(both.score, known.score)
+
+
+def score_at_rest(
+    known: FittedUnit,
+    pose: Pose,
+    rival: Pose,
+    owners: Sequence[FittedUnit],
+    beside: Sequence[FittedUnit],
+    around: tuple[FloatArray, FloatArray],
+    sparse: bool,
+) -> tuple[float, Pose]:
+    """The same of a unit whose ``rival`` pose the other epoch's points were taken for, not finite where they speak for that one; and where.
+
+    A unit at rest is where it is predicted. Settled on the points of an epoch that shows little of it, it may slide off as it did when it
+    was found there; it is therefore judged in its place as well.
+    """
+    now, before = around
+    looks = [
+        _look_at(place, known.shape, owners, now, sparse, settle=settle) for place, settle in ((pose, False), (pose, True), (rival, True))
+    ]
+    # settled, the other one may have come here as well, or this one have left
+    here = [look for look in looks if look is not None and is_near(look.place, pose, known.shape)]
+    best = max(here, key=lambda look: look.score, default=None)
+    if best is None or best.score < max(FOUND_SCORE, *(look.score for look in looks if look is not None)):
+        return math.nan, pose
+    both = _look_at(pose, known.shape, [*owners, *beside], np.vstack([now, before]), sparse)
+    return math.nan if both is None or both.score < FOUND_SCORE else max(both.score, known.score), best.place
+
+
+def shown_there(beside: Sequence[FittedUnit], known: FittedUnit, move: FloatArray, owners: Sequence[FittedUnit]) -> list[FittedUnit]:
+    """Units that the epoch of a unit alone shows around it, where they would be in the other one, whose units are ``owners``."""
+    places = [owner.pose.centre for owner in owners]
+    return [
+        replace(unit, pose=unit.pose.shifted(move))
+        for unit in beside
+        if unit is not known
+        and all(
+            np.linalg.norm(unit.pose.centre + move - place) >= SAME_PLACE_HEIGHTS * unit.shape.height
+            for place in (*places, known.pose.centre + move)
+        )
+    ]
+
+
+def is_sparse_there(owners: Sequence[FittedUnit], points: FloatArray, height: float) -> bool:
+    """Whether the number of points limits what an epoch shows, by its unit that holds most, or by (n, 3) points where none is near.
+
+    What is half hidden is sparse in every cloud.
+    """
+    held = max((owner.cloud.read()[0] for owner in owners), key=len, default=points)
+    seen = held if len(held) > 1 else points
+    return len(seen) > 1 and point_spacing(seen) > SPARSE_RATIO * height
+
+
+def is_near(pose: Pose, other: Pose, shape: UnitType) -> bool:
+    """Whether two poses are one to weak evidence."""
+    move, turn = np.linalg.norm(other.centre - pose.centre), nearest_labels(pose, other, shape)[1]
+    return bool(move < CONFIRM_MOVE_HEIGHTS * shape.height and turn < CONFIRM_TURN)
+
+
+def pose_row(pose: Pose) -> FloatArray:
+    """(12,) centre and rotation by rows."""
+    return np.concatenate([pose.centre, pose.rotation.ravel()])
+
+
+def _spoken_against(known: FittedUnit, pose: Pose, owners: Sequence[FittedUnit], now: FloatArray) -> float:
+    """Probability of a unit by its own epoch and rich (n, 3) points of another one, where these speak against it; else not finite.
+
+    What fits by chance may fit in all epochs that see it from the same side, so that nothing is said where rich points agree. From other
+    sides more is seen of it, and what chance aligned fits no longer, while a unit does.
+    """
+    if not known.certain:
+        return math.nan
+    looks = [_judged(pose, known.shape, owners, now, settle=settle, rich=True) for settle in (False, True)]
+    best = max((look.score for look in looks if look is not None), default=1.0)
+    score = _said_once(known.score, best)
+    return score if score < DOUBTED else math.nan
+
+
+def _said_once(first: float, second: float) -> float:
+    """Probability from two epochs that say the same, where their points are too many together to be judged as poor ones: mean log-odds."""
+    log_odds = np.mean([np.log(value / (1 - value)) for value in np.clip([first, second], 1e-9, 1 - 1e-9)])
+    return float(1 / (1 + np.exp(-log_odds)))
+
+
+def _look_at(
+    pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool, *, settle: bool = True
+) -> SecondLook | None:
+    """What an epoch's (n, 3) points say of a pose among its units; None in rich clouds."""
+    look = _judged(pose, shape, owners, around, settle=settle, rich=False)
+    return look if look is not None and (look.smoothed or sparse) else None
+
+
+def _judged(
+    pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray, *, settle: bool, rich: bool
+) -> SecondLook | None:
+    """The same whatever limits what the epoch shows; None where few points are there, or rich ones unless ``rich`` asks for these."""
+    alike = [owner for owner in owners if owner.shape == shape]
+    others = np.array([pose_row(owner.pose) for owner in alike]).reshape(-1, 12)
+    sure = np.array([owner.score >= SURE_ALONE for owner in alike], dtype=np.bool_)
+    return second_look(around, pose_row(pose), others, sure, shape, settle=settle, rich=rich)
