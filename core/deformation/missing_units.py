@@ -88,7 +88,8 @@ class MissingUnits:
     def answer(self) -> Answer:
         """By unit its ``state``, where it is (``centre``, ``rotation``) and its joint ``score``, not finite where that was not asked;
         ``points`` and ``sources`` of those that are there, each unit's from one of ``offsets`` to the next."""
-        points, sources = _innermost(*self.now(), self.height)
+        shown, of = self.now()
+        points, sources = _innermost(shown, of, self.height)
         other, _ = _innermost(*self.before(), self.height)
         tree, other_tree = point_tree(points), point_tree(other)
         owner_tree = cKDTree(np.array([u.pose.centre for u in self.owners]).reshape(-1, 3))
@@ -101,7 +102,12 @@ class MissingUnits:
             index = np.sort(np.array(tree.query_ball_point(pose.centre, self.reach), dtype=np.int64))
             around = other[other_tree.query_ball_point(known.pose.centre, self.reach)] + move
             tolerance = max(LOOK_UP_RATIO * known.shape.height, LOOK_UP_NOISE * noise)
-            state: str = look_up(known.cloud.read()[0] + move, pose, known.shape, around, points[index], tolerance).state
+            before = known.cloud.read()[0] + move
+            state: str = look_up(before, pose, known.shape, around, points[index], tolerance).state
+            if state == "hidden" and len(points) < len(shown):
+                # what was taken for layers may be rough ground, which shows as well that nothing stands on it
+                every = shown[np.sum((shown - pose.centre) ** 2, axis=1) < self.reach**2]
+                state = "empty" if look_up(before, pose, known.shape, around, every, tolerance).state == "empty" else state
             own, score = np.zeros(0, dtype=np.int64), math.nan
             if state == "there":
                 owned = (self.owners[k] for k in owner_tree.query_ball_point(pose.centre, 2 * self.reach))
@@ -124,14 +130,14 @@ class MissingUnits:
             states.append(state)
             poses.append(pose)
             taken.append(own)
-        every = np.concatenate(taken)
+        used = np.concatenate(taken)
         return {
             "state": np.array(states),
             "centre": np.array([pose.centre for pose in poses]),
             "rotation": np.array([pose.rotation for pose in poses]),
             "score": np.array(scores),
-            "points": points[every],
-            "sources": sources[every],
+            "points": points[used],
+            "sources": sources[used],
             "offsets": np.cumsum([0, *map(len, taken)]),
         }
 

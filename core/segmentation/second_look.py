@@ -93,7 +93,7 @@ def second_look(
     if not (poor or rich):
         return None
     poses, own = np.vstack([others, pose]), len(others)
-    for _ in range(ROUNDS if settle else 1):
+    for _ in range(ROUNDS):
         owner, _ = assign(scene.points, poses, unit, 2.5 * scene.tolerance)
         free = (owner == own) | (owner < 0)
         if not settle:
