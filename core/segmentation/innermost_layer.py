@@ -43,6 +43,10 @@ USUAL_PERCENTILE, UNEVEN = 30, 0.5
 """Percentile by which a cloud's noise is told elsewhere, too. Where agreeing images have less than this share of it, layers make
 the scatter: 0.17 to 0.31 in simulated clouds that are bridged (up to 0.42 in parts of 6 H), 0.63 and more in all others, also with noise of
 0 to 3.3 % of H added (0.59 in parts of 1.6 to 6 H)."""
+ONE_SIDED = 3.0
+"""Standard deviations of chance by which places must be more that agree once what lies above is taken out than once what lies below is:
+layers lie before the surface, never behind it, while rock scatters to both sides."""
+UPSIDE_DOWN = np.array([1.0, 1.0, -1.0])
 AGREEING = 2.0
 """Scatter of a layer over the noise of agreeing images, at most."""
 LEAST_SCATTER_RATIO = 0.003
@@ -57,7 +61,7 @@ SCATTER, RADIUS, MIDDLE, AXES, TERMS, COLUMNS = 0, 1, 2, 5, 14, 20
 of coordinates, the first across; the quadric's coefficients, in radii."""
 
 
-def innermost_layer(points: FloatArray, places: FloatArray, height: float) -> BoolArray | None:
+def innermost_layer(points: FloatArray, places: FloatArray, height: float, *, surely: bool = False) -> BoolArray | None:
     """(n,) whether each of (n, 3) raw points, reduced frame, is of the innermost layer at its place; None where a cloud has no layers.
 
     Parameters
@@ -66,15 +70,19 @@ def innermost_layer(points: FloatArray, places: FloatArray, height: float) -> Bo
         (k, 3) thinned points of the cloud: at some of them it is asked whether there are layers.
     height
         Of a unit, metres.
+    surely
+        Ask that the scatter be one-sided too, or rough ground about smooth units would pass for layers; a few places do not tell.
     """
-    some = places[:: max(len(places) // PROBES, 1)]
-    scatter = _layers(points, np.ascontiguousarray(some), height, np.inf)[:, SCATTER]
+    some = np.ascontiguousarray(places[:: max(len(places) // PROBES, 1)])
+    scatter = _layers(points, some, height, np.inf)[:, SCATTER]
     if np.count_nonzero(np.isfinite(scatter)) < FEWEST_PROBES:
         return None
     agreeing, usual = np.nanpercentile(scatter, [AGREEING_PERCENTILE, USUAL_PERCENTILE])
     if agreeing > UNEVEN * usual or usual < LEAST_SCATTER_RATIO * height:
         return None
     limit = max(AGREEING * agreeing / AGREEING_SHARE, LEAST_SCATTER_RATIO * height)
+    if surely and not _is_one_sided(points, some, height, limit):
+        return None
     means, voxel = thin(points, THINNING_RATIO * height)
     layers = _layers(points, means, height, limit)
     known = np.flatnonzero((layers[:, SCATTER] <= limit)[voxel])
@@ -82,6 +90,14 @@ def innermost_layer(points: FloatArray, places: FloatArray, height: float) -> Bo
     for part in np.array_split(known, len(known) // AT_ONCE + 1):
         kept[part] = np.abs(_across(points[part], layers[voxel[part]])) < IN_LAYER * limit
     return kept
+
+
+def _is_one_sided(points: FloatArray, places: FloatArray, height: float, limit: float) -> bool:
+    """Whether scatter falls below a limit in metres by what lies above a surface being taken out, more than by what lies below it."""
+    above = _layers(points, places, height, limit)[:, SCATTER] <= limit
+    below = _layers(points * UPSIDE_DOWN, places * UPSIDE_DOWN, height, limit)[:, SCATTER] <= limit
+    more, less = np.count_nonzero(above & ~below), np.count_nonzero(below & ~above)
+    return bool(more - less >= ONE_SIDED * np.sqrt(more + less))
 
 
 def _layers(points: FloatArray, places: FloatArray, height: float, limit: float) -> FloatArray:

@@ -233,7 +233,7 @@ class CloudElements(NamedTuple):
 def cloud_elements(points: FloatArray, unit: UnitType, *, workers: int = -1) -> CloudElements:
     """Elements of (n, 3) points, reduced frame, metres."""
     thinned = surface_elements(points, unit.height, workers=workers)
-    kept = innermost_layer(points, thinned.points, unit.height)
+    kept = innermost_layer(points, thinned.points, unit.height, surely=True)
     if kept is None or np.count_nonzero(kept) < FEWEST_POINTS:
         kept = np.ones(len(points), dtype=np.bool_)
     else:

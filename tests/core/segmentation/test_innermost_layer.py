@@ -62,6 +62,19 @@ def test_noise_alone_makes_no_layers(noise):
     assert layer_of(seen_from_above(noise * H)) is None
 
 
+@pytest.mark.parametrize("roughness", [0.01, 0.03])
+def test_rock_around_few_units_is_rough_and_no_layers(roughness):
+    """As uneven as where layers are, but to both sides of what is smooth."""
+    rng = np.random.default_rng(8)
+    units = seen_from_above(0.002 * H)
+    low, high = units.min(axis=0) - 2 * H, units.max(axis=0) + 2 * H
+    rock = np.column_stack([rng.uniform(low[:2], high[:2], (250_000, 2)), np.full(250_000, units[:, 2].min())])
+    rock[:, 2] += rng.normal(0, roughness * H, len(rock))
+    cloud = np.vstack([units, rock])
+    assert cloud_elements(cloud, UNIT).kept.all()
+    assert not cloud_elements(cloud, UNIT).elements.layered
+
+
 def test_a_cloud_too_small_to_tell_has_none():
     assert layer_of(seen_from_above(0.002 * H)[:40]) is None
 
