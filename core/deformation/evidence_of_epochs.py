@@ -111,11 +111,6 @@ def is_near(pose: Pose, other: Pose, shape: UnitType) -> bool:
     return bool(move < CONFIRM_MOVE_HEIGHTS * shape.height and turn < CONFIRM_TURN)
 
 
-def pose_row(pose: Pose) -> FloatArray:
-    """(12,) centre and rotation by rows."""
-    return np.concatenate([pose.centre, pose.rotation.ravel()])
-
-
 def _spoken_against(known: FittedUnit, pose: Pose, owners: Sequence[FittedUnit], now: FloatArray) -> float:
     """Probability of a unit by its own epoch and rich (n, 3) points of another one, where these speak against it; else not finite.
 
@@ -149,6 +144,6 @@ def _judged(
 ) -> SecondLook | None:
     """The same whatever limits what the epoch shows; None where few points are there, or rich ones unless ``rich`` asks for these."""
     alike = [owner for owner in owners if owner.shape == shape]
-    others = np.array([pose_row(owner.pose) for owner in alike]).reshape(-1, 12)
+    others = np.array([owner.pose.as_row() for owner in alike]).reshape(-1, 12)
     sure = np.array([owner.score >= SURE_ALONE for owner in alike], dtype=np.bool_)
-    return second_look(around, pose_row(pose), others, sure, shape, settle=settle, rich=rich)
+    return second_look(around, pose.as_row(), others, sure, shape, settle=settle, rich=rich)

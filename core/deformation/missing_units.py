@@ -23,7 +23,7 @@ from ..segmentation.leg_ends import LegEnds
 from ..segmentation.segment import FOUND_SCORE, MOST_IN_NOISE
 from ..segmentation.surface_elements import THINNING_RATIO, surface_noise
 from ..segmentation.verification import MOST_OVERLAP, overlap
-from .evidence_of_epochs import DOUBTED, SAME_PLACE_HEIGHTS, is_near, is_sparse_there, joint_score, pose_row, score_at_rest, shown_there
+from .evidence_of_epochs import DOUBTED, SAME_PLACE_HEIGHTS, is_near, is_sparse_there, joint_score, score_at_rest, shown_there
 from .fitted_unit import FittedUnit
 from .presence import FEWEST_POINTS, look_up, settled_on
 from .questions import Answer, Ask
@@ -379,7 +379,7 @@ class _Places:
 
 def _enters(pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], most: float) -> bool:
     """Whether more than a share of a unit in this pose would be where one of the epoch's units is: no two solids share a place."""
-    return any(overlap(pose_row(pose), pose_row(owner.pose), shape, owner.shape) > most for owner in owners)
+    return any(overlap(pose.as_row(), owner.pose.as_row(), shape, owner.shape) > most for owner in owners)
 
 
 def _left_by(owners: Sequence[FittedUnit], points: FloatArray, index: IntArray) -> IntArray:

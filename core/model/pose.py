@@ -45,6 +45,15 @@ class Pose:
         object.__setattr__(self, "centre", centre)
         object.__setattr__(self, "rotation", rotation)
 
+    @classmethod
+    def of_row(cls, row: FloatArray) -> Pose:
+        """From (12,) centre and rotation by rows, as compiled loops and tables hold poses."""
+        return cls(row[:3], row[3:].reshape(3, 3))
+
+    def as_row(self) -> FloatArray:
+        """(12,) centre and rotation by rows."""
+        return np.concatenate([self.centre, self.rotation.ravel()])
+
     def to_frame(self, body: ArrayLike) -> FloatArray:
         """(n, 3) body coordinates to frame coordinates."""
         return np.asarray(np.asarray(body, dtype=np.float64) @ self.rotation.T + self.centre)

@@ -169,7 +169,7 @@ class FitJob:
             covariances = None
             if self.beams is not None:
                 covariances = covariances_of(source, own, self.beams, unit)
-            start = _pose(table["poses"][k])
+            start = Pose.of_row(table["poses"][k])
             mould = self.moulds[kind] if self.moulds else None
             on_cones = points if mould is None else onto_cones(points, start.rotation, start.centre, unit, mould)
             try:
@@ -186,8 +186,8 @@ class FitJob:
                     # the few points that chance puts on the sides of other legs would settle a twist that nothing shows; end discs show it
                     kept = (result.legs == leg) | on_disc
                     if not on_disc[result.legs != leg].any():  # room among its neighbours settled its twist: its points let it drift
-                        pose = pose.twisted_as(_pose(table["poses"][k]), unit.leg_directions[leg])
-                table["poses"][k] = _row(pose)
+                        pose = pose.twisted_as(Pose.of_row(table["poses"][k]), unit.leg_directions[leg])
+                table["poses"][k] = pose.as_row()
                 table["shape"][k] = result.radius, result.gradient
                 table["covariance"][k] = result.covariance
                 table["sigma0"][k], table["noise"][k], table["n_effective"][k] = result.sigma0, result.noise, result.n_effective
@@ -354,7 +354,7 @@ def _raised(cloud: PointCloud, table: Mapping[str, NDArray[Any]], labels: IntArr
     xyz, spread = cloud.xyz.copy(), np.asarray(cloud.spread)
     for k, row in enumerate(table["poses"]):
         own, unit = np.flatnonzero(labels == k), units[table["type"][k]].type
-        xyz[own] = _pose(row).to_frame(raise_means(_pose(row).to_body(xyz[own]), spread[own], unit))
+        xyz[own] = Pose.of_row(row).to_frame(raise_means(Pose.of_row(row).to_body(xyz[own]), spread[own], unit))
     return xyz
 
 
@@ -369,7 +369,7 @@ def _found(cloud: PointCloud, number: int, unit: SurveyUnit, seed: int) -> tuple
         near = np.flatnonzero(around.contains(cloud.xyz + cloud.origin))
     result = segment(cloud.xyz[near], unit.type, seed=seed, workers=1)
     table = _table(
-        [_row(u.pose) for u in result.units],
+        [u.pose.as_row() for u in result.units],
         [number] * len(result.units),
         [u.score for u in result.units],
         [u.coverage for u in result.units],
@@ -473,11 +473,3 @@ def _offsets(sizes: Sequence[int] | IntArray) -> IntArray:
 def _median_distance(points: FloatArray, pose: Pose, unit: UnitType) -> float:
     """Median absolute distance of (n, 3) points to the surface of a unit, metres; nan without points."""
     return float(np.median(np.abs(distance_to_surface(pose.to_body(points), unit)))) if len(points) else float("nan")
-
-
-def _row(pose: Pose) -> FloatArray:
-    return np.concatenate([pose.centre, pose.rotation.ravel()])
-
-
-def _pose(row: FloatArray) -> Pose:
-    return Pose(row[:3], row[3:].reshape(3, 3))

@@ -53,7 +53,7 @@ def placed_rows(rows: Iterable[AnyRow], label: str) -> list[AnyRow]:
 def pose_table(rows: Sequence[Mapping[str, Any]]) -> FloatArray:
     """(k, 12) centre and rotation by rows of rows of the layer ``units`` that have a geometry."""
     poses = [Pose.from_quaternion(row["geometry"], [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in rows]
-    return np.array([np.concatenate([pose.centre, pose.rotation.ravel()]) for pose in poses]).reshape(-1, 12)
+    return np.array([pose.as_row() for pose in poses]).reshape(-1, 12)
 
 
 def kinds_of(rows: Iterable[Mapping[str, Any]], units: Sequence[UnitType]) -> NDArray[np.int64]:

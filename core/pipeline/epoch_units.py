@@ -68,8 +68,7 @@ class EpochUnits:
 
     def pose(self, row: int) -> Pose:
         """Absolute pose of a unit."""
-        values = self.table["poses"][row]
-        return Pose(values[:3], values[3:].reshape(3, 3))
+        return Pose.of_row(self.table["poses"][row])
 
     def points(self) -> Iterator[tuple[int, FloatArray]]:
         """Row and (n, 3) absolute points of every unit, file by file."""

@@ -108,7 +108,7 @@ def _numbers(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> NDArray
     nearest = np.full(len(points), np.inf)
     for unit, members in sorted(units.items(), key=lambda item: astuple(item[0])):
         poses = [Pose.from_quaternion(row["geom"] - origin, [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in members]
-        table = np.array([np.concatenate([pose.centre, pose.rotation.ravel()]) for pose in poses])
+        table = np.array([pose.as_row() for pose in poses])
         labels, distance = assign(points - origin, table, unit, NEAR_SURFACE_HEIGHTS * unit.height)
         nearer = (labels >= 0) & (np.abs(distance) < nearest)
         nearest[nearer] = np.abs(distance[nearer])

@@ -58,7 +58,7 @@ class SecondLook:
     @property
     def place(self) -> Pose:
         """The pose."""
-        return Pose(self.pose[:3], self.pose[3:].reshape(3, 3))
+        return Pose.of_row(self.pose)
 
 
 def second_look(

@@ -315,7 +315,7 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
         stated, _, _ = _settled(judged.thinned, stated, scene, rounds=1)
     units = tuple(
         DetectedUnit(
-            pose=Pose(pose[:3], pose[3:].reshape(3, 3)),
+            pose=Pose.of_row(pose),
             score=float(scores[k]),
             coverage=float(seen.cells[k] / NUMBER_OF_CELLS),
             legs_visible=int(seen.legs[k]),
