@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
@@ -109,6 +109,8 @@ def look_into_tiles(
     frame_errors: Sequence[Mapping[str, Any]],
     checksums: Mapping[Path, str],
     runner: JobRunner,
+    *,
+    beside: Callable[[], None] = lambda: None,
 ) -> dict[str, list[Gap]]:
     """Gaps by epoch that its cloud and packing show, in the control frame, looked for block by block.
 
@@ -128,6 +130,8 @@ def look_into_tiles(
         Of the tiles.
     runner
         Runs the jobs.
+    beside
+        The caller's own work meanwhile.
     """
     jobs: list[tuple[str, GapJob]] = []
     for plan in plans:
@@ -167,7 +171,7 @@ def look_into_tiles(
             )
     height = max(unit.height for unit in units)
     found: dict[str, list[Gap]] = {plan.epoch.label: [] for plan in plans}
-    for (label, _), path in zip(jobs, runner.run([job for _, job in jobs]), strict=True):
+    for (label, _), path in zip(jobs, runner.run([job for _, job in jobs], beside=beside), strict=True):
         result = loaded_arrays(path)
         columns = (result[name] for name in ("place", "kind", "score", "area", "unit"))
         found[label] += [Gap(place, str(kind), float(score), float(area), int(unit)) for place, kind, score, area, unit in zip(*columns)]  # type: ignore[arg-type]

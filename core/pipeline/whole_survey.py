@@ -28,6 +28,7 @@ from ..results.geopackage_writer import check_output, from_upper_triangle, write
 from ..results.result_access import REQUIRED
 from ..results.run_record import record_run
 from ..results.schema import LAYERS
+from ..results.unit_bodies import body_rows
 from ..results.unit_rows import read_epochs, unit_sizes
 from ..results.unit_sizes import size_of
 from ..review.decisions import settle_decisions
@@ -158,9 +159,16 @@ def _run(survey: Survey, output: Path, options: RunOptions, feedback: Feedback, 
         registrations = registrations | summary["registrations"]
         feedback.progress(1 - 3 * SHARES["write"], "looking for gaps")
         when = [(plan.epoch.label, plan.epoch.time) for plan in plans]
+        shown: Tables = {}
+
+        def lay_out_units() -> None:
+            sizes = [size_of_type(unit.type) for unit in survey.units]
+            shown.update(body_rows(tables["units"], tables["displacements"], sizes), placement=placement_rows(tables["units"], sizes))
+
         seen = look_into_tiles(
-            tables["units"], survey, plans, fitted[0].units, registrations, tables["frame_errors"], record.checksums, runner
-        )
+            tables["units"], survey, plans, fitted[0].units, registrations, tables["frame_errors"], record.checksums, runner,
+            beside=lay_out_units,
+        )  # fmt: skip
         tables["gaps"] = gap_rows(tables["units"], when, fitted[0].units, seen)
         qualities = state_quality(tables["units"], fitted[0].units, [label for label, _ in when], feedback, tables["gaps"])
         tables |= {"control_residuals": [], "epochs": []}
@@ -178,8 +186,7 @@ def _run(survey: Survey, output: Path, options: RunOptions, feedback: Feedback, 
             tables["epochs"].append(epoch_row(epoch.plan, record, registration, extra))
         feedback.check()
         feedback.progress(1 - SHARES["write"], "writing")
-        tables["placement"] = placement_rows(tables["units"], [size_of_type(unit.type) for unit in survey.units])
-        write_result(output, survey.crs, tables)
+        write_result(output, survey.crs, tables | shown)
     lapsed = settle_decisions(output)
     if lapsed:
         feedback.warning(f"{lapsed} decisions of reviewers rested on numbers that are others now: those units are undecided again")

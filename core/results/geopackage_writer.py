@@ -26,7 +26,7 @@ from .geopackage_reader import ResultCrs, add_indices, encode_geometry, now_utc,
 from .result_access import connect, reading
 from .result_replacement import put_in_place, quoted, rehearse, style_mark
 from .schema import LAYERS, Field, Layer
-from .unit_bodies import body_rows
+from .unit_bodies import BODIES, body_rows
 from .unit_sizes import sizes_of_settings
 
 Row = Mapping[str, Any]
@@ -106,12 +106,13 @@ def _check_place(target: Path) -> None:
 
 
 def write_result(path: str | Path, survey_crs: str, tables: Mapping[str, Sequence[Row]]) -> None:
-    """Write a result with the shipped QGIS styles; outlines and surfaces follow from the units."""
+    """Write a result with the shipped QGIS styles; outlines and surfaces follow from the units where no rows of them are given."""
     styles = {style.stem: style.read_text(encoding="utf-8") for style in sorted(STYLES.glob("*.qml")) if style.stem in LAYERS}
     settings = [parse_settings(row.get("settings")) for row in tables.get("epochs", ())]
     tables = with_epoch_ends(tables)
-    bodies = body_rows(tables.get("units", ()), tables.get("displacements", ()), sizes_of_settings(settings))
-    write_geopackage(path, survey_crs, {**tables, **bodies}, styles=styles)
+    if not BODIES.issubset(tables):
+        tables |= body_rows(tables.get("units", ()), tables.get("displacements", ()), sizes_of_settings(settings))
+    write_geopackage(path, survey_crs, tables, styles=styles)
 
 
 def write_geopackage(

@@ -13,6 +13,8 @@ from ..model.outline import PlacedShape
 from .unit_sizes import UnitSize, shape_of
 
 Row = Mapping[str, Any]
+BODIES = frozenset({"unit_outlines", "unit_surfaces"})
+"""Layers that show units as bodies."""
 
 
 def body_rows(units: Iterable[Row], displacements: Iterable[Row], sizes: Sequence[UnitSize]) -> dict[str, list[dict[str, Any]]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import multiprocessing
 import os
 import signal
@@ -14,6 +15,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 from tetratrack.core.adjustment.adjustment_records import AdjustmentOptions
 from tetratrack.core.adjustment.gauss_helmert import adjust
+from tetratrack.core.common.dead_objects import BETWEEN_LOOKS
 from tetratrack.core.common.errors import Cancelled, InputError, NoSolutionError, OutputError, TetratrackError
 from tetratrack.core.data.tiles import TileInfo, Window
 from tetratrack.core.model.pose import Pose
@@ -23,6 +25,7 @@ from tetratrack.core.pipeline.array_files import load_arrays, loaded_arrays, sav
 from tetratrack.core.pipeline.block_jobs import LEG_COLUMNS, FitJob, adjusted_nearby
 from tetratrack.core.pipeline.blocks import plan_blocks
 from tetratrack.core.pipeline.epoch_units import owners
+from tetratrack.core.pipeline.gap_table import look_into_tiles
 from tetratrack.core.pipeline.job_runner import JobRunner, job_key
 from tetratrack.core.pipeline.local_processes import LocalProcesses
 
@@ -68,6 +71,20 @@ class Square:
         if self.trouble == "always die":
             os.kill(os.getpid(), signal.SIGKILL)
         return {"square": np.array(self.number**2)}
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """How many containers are made before a process looks for dead ones."""
+
+    number: int
+
+    @property
+    def name(self) -> str:
+        return f"threshold-{self.number}.npz"
+
+    def run(self) -> dict:
+        return {"threshold": np.array(gc.get_threshold())}
 
 
 def _squares(paths: list[Path]) -> list[float]:
@@ -123,6 +140,19 @@ def test_processes_serve_all_calls_and_end_with_the_runner(tmp_path: Path) -> No
         runner.run([Square(3), Square(4), Square(5)])
         assert {child.pid for child in multiprocessing.active_children()} == first
     assert not first & {child.pid for child in multiprocessing.active_children()}
+
+
+def test_processes_look_seldom_for_dead_objects(tmp_path: Path) -> None:
+    with JobRunner(tmp_path, 2) as runner:
+        paths = runner.run([Threshold(1), Threshold(2)])
+    assert [tuple(load_arrays(path)["threshold"]) for path in paths] == [BETWEEN_LOOKS] * 2
+
+
+def test_work_beside_gaps_is_done(tmp_path: Path) -> None:
+    done: list[int] = []
+    with JobRunner(tmp_path, 1) as runner:
+        seen = look_into_tiles([], None, [], (UnitType.tetrapod(1.0),), {}, [], {}, runner, beside=lambda: done.append(1))
+    assert (seen, done) == ({}, [1])
 
 
 def test_processes_that_were_started_before_do_the_jobs(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import UTC, datetime
 from pathlib import Path
 
 import geopandas
@@ -53,6 +54,22 @@ def test_a_written_result_holds_a_body_for_every_pose(tmp_path: Path) -> None:
     moved = {(row["unit_id"], row["epoch_to"]): row["class"] for row in tables["displacements"] if row["feature"] == "centre"}
     for row in outlines.itertuples():
         assert outlines.loc[row.Index, "class"] == moved.get((row.unit_id, row.epoch), row.status)
+
+
+def test_bodies_that_are_made_already_are_written_as_they_are(tmp_path: Path) -> None:
+    result = tmp_path / "written.gpkg"
+    square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
+    epochs = [{"label": "a", "time": datetime(2024, 1, 1, tzinfo=UTC)}, {"label": "b", "time": datetime(2025, 1, 1, tzinfo=UTC)}]
+    body = {"unit_id": "u1", "epoch": "a"}
+    tables = {
+        "units": [],
+        "epochs": epochs,
+        "unit_outlines": [body | {"geometry": square}],
+        "unit_surfaces": [body | {"geometry": [square[None]]}],
+    }
+    geopackage_writer.write_result(result, "EPSG:5186", tables)
+    for layer in ("unit_outlines", "unit_surfaces"):
+        assert [(row["unit_id"], row["epoch_until"][:4]) for row in read_layer_rows(result, layer)] == [("u1", "2025")], layer
 
 
 def test_bodies_follow_corrections_and_their_undoing(tmp_path: Path) -> None:
