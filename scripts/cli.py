@@ -88,12 +88,17 @@ def run(
 
     def step(feedback: Feedback) -> dict[str, Any]:
         from ..core.data.file_patterns import given_paths
-        from ..core.pipeline.new_survey import Given, given_survey
-        from ..core.pipeline.run_options import RunOptions
-        from ..core.pipeline.whole_survey import run_survey
+        from ..core.pipeline.given_survey import Given, given_survey
+        from ..core.pipeline.local_processes import processes_for
 
         found = given_survey(given_paths(survey), Given(height=unit_height, crs=crs), output, feedback)
-        return run_survey(found, output, RunOptions(workers, scheduler, resume, seed), feedback)
+        with processes_for(workers, scheduler) as processes:
+            # they load their libraries while this process loads its own
+            processes.start(len(found.epochs))
+            from ..core.pipeline.run_options import RunOptions
+            from ..core.pipeline.whole_survey import run_survey
+
+            return run_survey(found, output, RunOptions(workers, scheduler, resume, seed), feedback, processes)
 
     _run(quiet, log_file, json_progress, step)
 

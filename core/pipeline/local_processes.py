@@ -17,7 +17,7 @@ from typing import Any, Self
 import numpy as np
 
 from ..common.errors import TetratrackError
-from ..common.lifeline import IMPORTED_EXIT, start_as_worker
+from ..common.lifeline import IMPORTED_EXIT, leave_if_imported, start_as_worker
 
 CORE = __package__.rpartition(".")[0]
 LIBRARIES = (f"{CORE}.pipeline.block_jobs", f"{CORE}.segmentation.segment", f"{CORE}.segmentation.ends_of_units", "laspy", "pyproj")
@@ -101,6 +101,12 @@ class LocalProcesses:
         if self._pool is not None:
             self._pool.shutdown(wait=True, cancel_futures=True)
             self._pool = None
+
+
+def processes_for(workers: int, scheduler: str | None) -> LocalProcesses:
+    """The local processes that a run may use, not started yet: ``workers``, one a core where that is 0, one where a scheduler works."""
+    leave_if_imported()
+    return LocalProcesses(1 if scheduler is not None else workers or os.cpu_count() or 1)
 
 
 def _load_libraries() -> None:

@@ -14,15 +14,15 @@ from ..common.atomic_files import replace_durably, temporary_beside
 from ..common.errors import CrsError, InputError, OutputError
 from ..common.feedback import Feedback
 from ..data.crs import LOCAL, check_survey_crs
-from ..data.folder_epochs import CLOUDS, FoundEpoch, FoundTile, find_tiles, group_epochs, share_in_common
+from ..data.folder_epochs import FoundEpoch, FoundTile, find_tiles, group_epochs, share_in_common
 from ..data.plausibility import Place, check_scale
 from ..data.recognised_tables import FoundTable, Role, assign, find_tables, recognise
 from ..data.survey import Survey
 from ..data.survey_draft import FIRST_LINE, DraftEpoch, DraftUnit, SurveyDraft, draft_text
 from ..data.survey_reader import read_survey
 from ..data.tiles import TileInfo
-from ..results.geopackage_writer import check_output
 from .drafted_units import counted, draft_units
+from .given_survey import Given
 
 LEAST_OVERLAP = 0.05
 """Share of the smaller extent that two epochs must have in common to be compared."""
@@ -30,15 +30,6 @@ PLAIN_NAMES = ("tiles", "las", "laz", "pointclouds", "point_clouds", "clouds", "
 """Folders called so are named after what holds them."""
 ASSUMED_SD = 0.005
 """Metres; what a total station gives for a target on a wall, where the file states nothing."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Given:
-    """What the user says instead of the files; None where nothing."""
-
-    height: float | None = None
-    crs: str | None = None
-    name: str | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -322,23 +313,6 @@ def check_draft(path: Path) -> None:
             )
     with temporary_beside(path):
         pass
-
-
-def given_survey(places: Sequence[Path], given: Given, output: Path, feedback: Feedback) -> Survey:
-    """The survey that a file describes, or that folders and tiles make; the draft of these is written beside the output.
-
-    Raises
-    ------
-    InputError
-        The file is wrong, or the tiles leave something open.
-    """
-    first = places[0]
-    if len(places) > 1 or first.is_dir() or first.suffix.lower() in CLOUDS:
-        check_output(output)
-        return survey_of_tiles(places, given, output.with_suffix(".toml"), feedback.part(0, 0.05))
-    if given.height is not None or given.crs is not None:
-        raise InputError("--crs and --height are for folders", source=first, remedy="Write them into the file.")
-    return read_survey(first)
 
 
 def survey_of_tiles(places: Sequence[Path], given: Given, target: Path, feedback: Feedback) -> Survey:

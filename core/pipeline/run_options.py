@@ -14,9 +14,8 @@ from pathlib import Path
 from ..common.atomic_files import cannot_write, temporary_folder
 from ..common.errors import OutputError
 from ..common.feedback import Feedback
-from ..common.lifeline import leave_if_imported
 from .job_runner import JobRunner, check_scheduler
-from .local_processes import LocalProcesses
+from .local_processes import LocalProcesses, processes_for
 
 
 @dataclass(frozen=True)
@@ -46,17 +45,11 @@ class RunOptions:
         return self.workers or os.cpu_count() or 1
 
 
-def processes_of(options: RunOptions) -> LocalProcesses:
-    """The local processes that a run may use, not started yet."""
-    leave_if_imported()
-    return LocalProcesses(1 if options.scheduler is not None else options.cores)
-
-
 @contextmanager
 def job_runner(output: Path, options: RunOptions, feedback: Feedback, processes: LocalProcesses | None = None) -> Iterator[JobRunner]:
     """A runner whose files are kept beside the output with ``resume`` and vanish otherwise.
 
-    ``processes`` are those of :func:`processes_of`, started already; None makes them.
+    ``processes`` are those of :func:`.local_processes.processes_for`, started already; None makes them.
 
     Raises
     ------
@@ -65,7 +58,7 @@ def job_runner(output: Path, options: RunOptions, feedback: Feedback, processes:
     OutputError
         Another run is writing this output.
     """
-    processes = processes or processes_of(options)
+    processes = processes or processes_for(options.workers, options.scheduler)
     if options.scheduler is not None:
         check_scheduler(options.scheduler)
     target = output.absolute()

@@ -39,9 +39,9 @@ from .epoch_registration import register_epochs
 from .epoch_tracking import Tables, check_tables, track_tables
 from .epoch_units import find_and_fit, segment_epochs
 from .gap_table import gap_rows, look_into_tiles
-from .local_processes import LocalProcesses
+from .local_processes import LocalProcesses, processes_for
 from .no_units import warn_of_empty
-from .run_options import RunOptions, job_runner, processes_of
+from .run_options import RunOptions, job_runner
 from .size_check import check_sizes
 from .unit_input import crs_of_layer, read_poses, read_units, unit_of
 from .unit_table import control_rows, epoch_row, feature_rows, fitted_feature_rows, provisional_ids, unit_rows
@@ -113,8 +113,12 @@ def run_features(
     return {"output": str(output), "features": len(tables["feature_points"])}
 
 
-def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
+def run_survey(
+    survey: Survey, output: Path, options: RunOptions, feedback: Feedback, processes: LocalProcesses | None = None
+) -> dict[str, Any]:
     """All steps: tiles to units, feature points, registration and displacements, in one result.
+
+    ``processes`` may be loading libraries already; None makes them.
 
     Raises
     ------
@@ -125,10 +129,10 @@ def run_survey(survey: Survey, output: Path, options: RunOptions, feedback: Feed
     """
     check_targets([(output, "the result")], survey.files)
     check_output(output)
-    with processes_of(options) as processes:
+    with processes or processes_for(options.workers, options.scheduler) as own:
         # every epoch is a job or more
-        processes.start(len(survey.epochs))
-        return _run(survey, output, options, feedback, processes)
+        own.start(len(survey.epochs))
+        return _run(survey, output, options, feedback, own)
 
 
 def _run(survey: Survey, output: Path, options: RunOptions, feedback: Feedback, processes: LocalProcesses) -> dict[str, Any]:

@@ -6,6 +6,8 @@ import gc
 import multiprocessing
 import os
 import signal
+import subprocess
+import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,7 +29,7 @@ from tetratrack.core.pipeline.blocks import plan_blocks
 from tetratrack.core.pipeline.epoch_units import owners
 from tetratrack.core.pipeline.gap_table import look_into_tiles
 from tetratrack.core.pipeline.job_runner import JobRunner, job_key
-from tetratrack.core.pipeline.local_processes import LocalProcesses
+from tetratrack.core.pipeline.local_processes import LocalProcesses, processes_for
 
 
 def _tile(name: str, low: tuple[float, float], high: tuple[float, float], points: int = 1000) -> TileInfo:
@@ -178,6 +180,19 @@ def test_processes_that_were_started_end_with_an_error(tmp_path: Path) -> None:
         start_and_fail()
     assert len(started) >= 2
     assert not set(started) & {child.pid for child in multiprocessing.active_children()}
+
+
+def test_processes_can_start_before_libraries_are_loaded() -> None:
+    code = (
+        "import sys, tetratrack.core.pipeline.given_survey, tetratrack.core.pipeline.local_processes\n"
+        "print(*(name for name in ('numba', 'scipy', 'laspy') if name in sys.modules))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", check=True).stdout.strip() == ""
+
+
+@pytest.mark.parametrize(("workers", "scheduler", "count"), [(3, None, 3), (0, None, os.cpu_count()), (3, "tcp://host:8786", 1)])
+def test_a_run_has_as_many_processes_as_it_may_use(workers: int, scheduler: str | None, count: int) -> None:
+    assert processes_for(workers, scheduler).count == count
 
 
 def test_one_process_or_one_job_starts_none() -> None:
