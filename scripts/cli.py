@@ -127,7 +127,8 @@ def init(
         from ..core.data.file_patterns import given_paths
         from ..core.data.survey_draft import draft_record, draft_text
         from ..core.pipeline.given_epochs import read_given_epochs
-        from ..core.pipeline.new_survey import Given, check_draft, draft_of_rows, draft_survey, write_draft
+        from ..core.pipeline.given_survey import Given
+        from ..core.pipeline.new_survey import check_draft, draft_of_rows, draft_survey, write_draft
 
         given, folders = Given(height=unit_height, crs=crs, name=name), given_paths(given_folders or [])
         beside = folders[0] / "survey.toml" if folders and sys.stdout is not None and sys.stdout.isatty() and folders[0].is_dir() else None

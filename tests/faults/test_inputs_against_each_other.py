@@ -15,8 +15,9 @@ from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.epoch_plans import plan_survey
+from tetratrack.core.pipeline.given_survey import Given
 from tetratrack.core.pipeline.inspection import inspect_survey
-from tetratrack.core.pipeline.new_survey import Given, draft_survey
+from tetratrack.core.pipeline.new_survey import draft_survey
 from tetratrack.core.registration.stable_areas import read_areas
 
 TARGETS = ORIGIN + np.array([[0, 0, 1], [6, 1, 1], [1, 7, 2], [8, 8, 0.0]])
