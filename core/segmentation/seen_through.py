@@ -324,27 +324,49 @@ def _entered(
 
     Where ``one`` stand is enough, those after the first from which no more than ``most`` enter are not asked, and count as others.
     """
+    count = len(centres)
     result = np.full(len(stands), most + 1)
     # beams that entered from the last place are asked first: most places are left after a few
     order = np.arange(len(points))
+    by_axis, legs = centres.T.copy(), axes.transpose(2, 0, 1).copy()
+    # of a point from a centre, square of the distance beyond the reach: the same from all places
+    beyond = np.empty((len(points), count))
+    for i in range(len(points)):
+        for u in range(count):
+            px, py, pz = points[i, 0] - by_axis[0, u], points[i, 1] - by_axis[1, u], points[i, 2] - by_axis[2, u]
+            beyond[i, u] = px * px + py * py + pz * pz - reach * reach
+    near, roots = np.empty(count), np.empty(4)
     for k in range(len(stands)):
         entered = 0
         for place in range(len(points)):
             i = order[place]
-            bx, by, bz = stands[k, 0] - points[i, 0], stands[k, 1] - points[i, 1], stands[k, 2] - points[i, 2]
+            x, y, z = points[i, 0], points[i, 1], points[i, 2]
+            bx, by, bz = stands[k, 0] - x, stands[k, 1] - y, stands[k, 2] - z
             length = np.sqrt(bx * bx + by * by + bz * bz)
             bx, by, bz = bx / length, by / length, bz / length
+            # without branches, in vector registers: whether the beam passes through the sphere around a unit
+            for u in range(count):
+                along = max((by_axis[0, u] - x) * bx + (by_axis[1, u] - y) * by + (by_axis[2, u] - z) * bz, 0.0)
+                near[u] = along * along - beyond[i, u]
             hit = False
-            for u in range(len(centres)):
-                px, py, pz = points[i, 0] - centres[u, 0], points[i, 1] - centres[u, 1], points[i, 2] - centres[u, 2]
-                along, square = px * bx + py * by + pz * bz, px * px + py * py + pz * pz
-                if square - along * along > reach * reach or (along > 0.0 and square > reach * reach):
+            for u in range(count):
+                if near[u] < 0.0:
                     continue
+                px, py, pz = x - by_axis[0, u], y - by_axis[1, u], z - by_axis[2, u]
+                along, square = px * bx + py * by + pz * bz, beyond[i, u] + reach * reach
+                # the same, whether its line meets the cones: most miss all four
                 for leg in range(4):
-                    inside, _ = _inside((px, py, pz), (bx, by, bz), axes[u, leg], 0.0, lasts[u, leg], radius, gradient)
-                    if inside > chord:
-                        hit = True
-                        break
+                    axial = px * legs[0, u, leg] + py * legs[1, u, leg] + pz * legs[2, u, leg]
+                    lean = bx * legs[0, u, leg] + by * legs[1, u, leg] + bz * legs[2, u, leg]
+                    thick = radius - gradient * axial
+                    b = along - axial * lean + thick * gradient * lean
+                    roots[leg] = b * b - (1.0 - lean * lean * (1.0 + gradient * gradient)) * (square - axial * axial - thick * thick)
+                for leg in range(4):
+                    if roots[leg] > 0.0:
+                        inside, _ = _inside((px, py, pz), (bx, by, bz), axes[u, leg], 0.0, lasts[u, leg], radius, gradient)
+                        if inside > chord:
+                            hit = True
+                            break
                 if hit:
                     break
             if hit:
