@@ -425,6 +425,26 @@ def test_a_found_pose_is_doubted_where_what_is_known_of_covariances_leaves_it_op
     assert [own[0].status for own in found] == ["found", "uncertain", "relocated"]
 
 
+@pytest.mark.parametrize(("turn_sd", "away", "status"), [(20, 0.55, "uncertain"), (20, 1.4, "found"), (2, 0.55, "found")])
+def test_a_turn_that_the_room_alone_could_settle_is_doubted_where_there_is_none(turn_sd: float, away: float, status: str) -> None:
+    """A unit whose turn is open to 20 degrees enters its neighbour; where it does not, or its points tell the turn, it stays.
+
+    The other epoch shows the unit alone, and states the same turn.
+    """
+    states = [
+        dict.fromkeys(
+            epochs,
+            TrackedUnit(
+                row=0, pose=Pose(np.array([0.0, 0.0, place * UNIT.height]), np.eye(3)),
+                covariance=np.diag([1e-6] * 5 + [np.radians(sd) ** 2]), scale=1.0, status="found", points=90,
+            ),
+        )
+        for place, sd, epochs in ((0.0, 1.0, (0,)), (away, turn_sd, (0, 1)))
+    ]  # fmt: skip
+    found = doubted_where_open(states, [UNIT] * 2, [PoseCalibration.of_pairs([])] * 2) or states
+    assert [state.status for own in found for state in own.values()] == ["found", status, status]
+
+
 def seen_nothing() -> tuple[np.ndarray, np.ndarray]:
     return np.empty((0, 3)), np.empty(0, dtype=np.uint16)
 
