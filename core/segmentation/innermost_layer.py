@@ -73,6 +73,8 @@ def innermost_layer(points: FloatArray, places: FloatArray, height: float, *, su
     surely
         Ask that the scatter be one-sided too, or rough ground about smooth units would pass for layers; a few places do not tell.
     """
+    if len(places) < FEWEST_PROBES:
+        return None
     some = np.ascontiguousarray(places[:: max(len(places) // PROBES, 1)])
     scatter = _layers(points, some, height, np.inf)[:, SCATTER]
     if np.count_nonzero(np.isfinite(scatter)) < FEWEST_PROBES:

@@ -66,6 +66,12 @@ def test_few_points_are_enough_where_the_cloud_is_sparse() -> None:
     assert asked(np.vstack([few, ground]), before)["state"].tolist() == ["hidden"]
 
 
+def test_where_an_epoch_has_no_points_nothing_is_known() -> None:
+    answer = asked(np.zeros((0, 3)), seen_from_above(POSE, np.random.default_rng(3), 900, 0.01).points)
+    assert answer["state"].tolist() == ["hidden"]
+    assert not len(answer["points"])
+
+
 def test_a_unit_is_not_taken_up_inside_another_one() -> None:
     rng = np.random.default_rng(2)
     before, now = (seen_from_above(POSE, rng, 900, 0.01).points for _ in range(2))

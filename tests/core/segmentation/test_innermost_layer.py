@@ -77,6 +77,7 @@ def test_rock_around_few_units_is_rough_and_no_layers(roughness):
 
 def test_a_cloud_too_small_to_tell_has_none():
     assert layer_of(seen_from_above(0.002 * H)[:40]) is None
+    assert layer_of(np.zeros((0, 3))) is None
 
 
 def test_little_of_a_unit_is_enough_behind_layers():
