@@ -16,6 +16,11 @@ THIN_SHARE = 0.25
 """Points of a patch over those of a patch of its sighting (median), below which it is left out: where a shadow begins few points of the
 unit are left among mixed pixels and points of what casts it, and these lie there in every epoch."""
 
+HALF_TURN = AZIMUTH_CELLS // 2
+"""Cells around half a leg."""
+EDGES = (np.cos(np.pi / HALF_TURN * np.arange(1, HALF_TURN)), np.sin(np.pi / HALF_TURN * np.arange(1, HALF_TURN)))
+"""Cosines and sines of the turns at which they begin, but for the first."""
+
 
 class Body(NamedTuple):
     """A unit where its points are observed, for compiled loops.
@@ -98,9 +103,17 @@ def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, foun
     centre, rotation, axes, across, discs, r, c, length = body
     margin, tip = limits
     rows, residual, patch, _ = found
+    cosines, sines = EDGES
     cosine = 1.0 / math.sqrt(1.0 + c * c)
     end_radius = r - c * length
     derived = rows.shape[0] > 0
+    # x . (a_leg - a_k) is a difference of what is formed anyway: only what it is held against depends on the legs
+    leans, least = np.zeros(4), np.zeros((4, 4))
+    for leg in range(4):
+        for k in range(4):
+            if k != leg:
+                qx, qy, qz = axes[leg, 0] - axes[k, 0], axes[leg, 1] - axes[k, 1], axes[leg, 2] - axes[k, 2]
+                least[leg, k] = margin * math.sqrt(qx * qx + qy * qy + qz * qz)
     for i in range(points.shape[0]):
         s = strip[i]
         px = points[i, 0] - offsets[s, 0] - centre[0]
@@ -112,55 +125,55 @@ def _observe(points: Any, strip: Any, offsets: Any, body: Any, limits: Any, foun
         leg = 0
         axial = -1e300
         for k in range(4):
-            lean = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
-            if lean > axial:
-                axial, leg = lean, k
-        ax, ay, az = axes[leg, 0], axes[leg, 1], axes[leg, 2]
+            leans[k] = x * axes[k, 0] + y * axes[k, 1] + z * axes[k, 2]
+            if leans[k] > axial:
+                axial, leg = leans[k], k
         patch[i] = -1
         # points at a crease may belong to either leg: left out, for their distance is biased
         at_crease = False
         for k in range(4):
-            if k != leg:
-                qx, qy, qz = ax - axes[k, 0], ay - axes[k, 1], az - axes[k, 2]
-                if x * qx + y * qy + z * qz < margin * math.sqrt(qx * qx + qy * qy + qz * qz):
-                    at_crease = True
+            at_crease |= axial - leans[k] < least[leg, k]
         if at_crease:
             continue
+        ax, ay, az = axes[leg, 0], axes[leg, 1], axes[leg, 2]
         ux, uy, uz = x - axial * ax, y - axial * ay, z - axial * az
         rho = math.sqrt(ux * ux + uy * uy + uz * uz) + 1e-300
         ux, uy, uz = ux / rho, uy / rho, uz / rho
         side = (rho - r + c * axial) * cosine
         end = axial - length
         # the nearer of both surfaces: a leg that is shorter than others has its whole end disc below the nominal one
-        if end > side or end > -margin or (axial > tip and not discs[leg]):
-            if not discs[leg] or rho > end_radius - margin or end < side:
-                continue
-            nx, ny, nz = ax, ay, az
-            e = end
-            scale_row = -length
-            disc = True
-        else:
-            nx, ny, nz = (ux + c * ax) * cosine, (uy + c * ay) * cosine, (uz + c * az) * cosine
-            e = side
-            scale_row = -r * cosine
-            disc = False
+        disc = end > side or end > -margin or (axial > tip and not discs[leg])
+        if disc and (not discs[leg] or rho > end_radius - margin or end < side):
+            continue
         first = ux * across[0, leg, 0] + uy * across[0, leg, 1] + uz * across[0, leg, 2]
         second = ux * across[1, leg, 0] + uy * across[1, leg, 1] + uz * across[1, leg, 2]
-        turn = math.atan2(second, first) / (2.0 * math.pi)
-        turn += 1.0 if turn < 0.0 else 0.0
         if disc:
+            turn = math.atan2(second, first) / (2.0 * math.pi)
+            turn += 1.0 if turn < 0.0 else 0.0
             patch[i] = leg * LEG_CELLS + AXIAL_CELLS * AZIMUTH_CELLS + min(int(turn * DISC_CELLS), DISC_CELLS - 1)
+            residual[i] = end
         else:
+            # sectors of the nearer half-turn that begin before the point: quicker than its angle
+            sector = 0
+            if second < 0.0:
+                sector, first, second = HALF_TURN, -first, -second
+            for k in range(HALF_TURN - 1):
+                sector += 1 if second * cosines[k] >= first * sines[k] else 0
             ring = min(max(int(axial / length * AXIAL_CELLS), 0), AXIAL_CELLS - 1)
-            patch[i] = leg * LEG_CELLS + ring * AZIMUTH_CELLS + min(int(turn * AZIMUTH_CELLS), AZIMUTH_CELLS - 1)
-        residual[i] = e
+            patch[i] = leg * LEG_CELLS + ring * AZIMUTH_CELLS + sector
+            residual[i] = side
         if not derived:
             continue
+        if disc:
+            nx, ny, nz = ax, ay, az
+            rows[i, 6] = -length
+        else:
+            nx, ny, nz = (ux + c * ax) * cosine, (uy + c * ay) * cosine, (uz + c * az) * cosine
+            rows[i, 6] = -r * cosine
         mx, my, mz = ny * z - nz * y, nz * x - nx * z, nx * y - ny * x
         for m in range(3):
             rows[i, m] = -(rotation[m, 0] * nx + rotation[m, 1] * ny + rotation[m, 2] * nz)
             rows[i, m + 3] = rotation[m, 0] * mx + rotation[m, 1] * my + rotation[m, 2] * mz
-        rows[i, 6] = scale_row
 
 
 @kernel(releases=True)
