@@ -20,6 +20,7 @@ from ..model.pose import Pose
 from ..model.tetrapod import END_DISC, distance_to_surface, raise_means
 from ..model.unit_types import UnitType
 from .array_files import Arrays, load_arrays
+from .block_clouds import NOT_KEPT, BlockClouds
 from .blocks import HALO_HEIGHTS, MARGIN_HEIGHTS, Block
 from .job_runner import job_key
 
@@ -61,6 +62,8 @@ class SegmentJob:
         Rows of :func:`pose_rows` with the poses of units that are known already (absolute centres); None looks for units.
     timed
         Keep the GPS time of the units' points, by which a trajectory is read.
+    clouds
+        Where the block's points are kept for later jobs.
     """
 
     block: Block
@@ -71,6 +74,7 @@ class SegmentJob:
     checksums: tuple[str, ...]
     given: tuple[tuple[float, ...], ...] | None = None
     timed: bool = False
+    clouds: BlockClouds = NOT_KEPT
 
     @property
     def name(self) -> str:
@@ -91,7 +95,9 @@ class SegmentJob:
     def run(self) -> Arrays:
         """Arrays of the block's units: see :func:`unit_arrays`."""
         height = max(unit.type.height for unit in self.units)
-        cloud = read_points(self.block.tiles, self.survey_crs, window=self.block.core.grown(HALO_HEIGHTS * height))
+        window = self.block.core.grown(HALO_HEIGHTS * height)
+        cloud = read_points(self.block.tiles, self.survey_crs, window=window)
+        self.clouds.keep(self.block, window, cloud)
         if self.given is None:
             found = [_found(cloud, k, unit, self.seed) for k, unit in enumerate(self.units)]
             table, labels = _best_types(found, self.units)

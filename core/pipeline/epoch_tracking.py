@@ -27,6 +27,7 @@ from ..model.unit_types import UnitType
 from ..registration.control import DISTURBED, Registration
 from ..registration.transformation import Transformation
 from ..segmentation.leg_ends import LegEnds
+from .block_clouds import BlockClouds
 from .block_jobs import LEG_COLUMNS
 from .displacement_table import TableOptions, cross_check_rows, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
 from .epoch_units import EpochUnits
@@ -72,7 +73,7 @@ def track_tables(
     held = HeldClouds()
     placed = [_tracked_epoch(k, e, registrations.get(e.plan.epoch.label), units, origin, labels, held) for k, e in enumerate(fitted)]
     moulds = tuple(unit.mould for unit in survey.units)
-    around = _surroundings(survey, fitted, registrations, origin, checksums)
+    around = _surroundings(survey, fitted, registrations, origin, checksums, runner.clouds)
     result = track(placed, units, around, survey.frame, moulds, partial(answered_by, runner))
     _say_what_rests_on_experience(result, labels, feedback)
     names = unit_names(len(result.units))
@@ -229,6 +230,7 @@ def _surroundings(
     registrations: Mapping[str, Registration],
     origin: FloatArray,
     checksums: Mapping[Path, str],
+    clouds: BlockClouds,
 ) -> Surroundings:
     """Reader of an epoch's cloud around places, for :func:`tetratrack.core.deformation.tracking.track`."""
 
@@ -246,6 +248,7 @@ def _surroundings(
             places=where,
             reach=reach,
             checksums=tuple(checksums[tile.path] for block in blocks for tile in block.tiles),
+            clouds=clouds,
         )
 
     return around

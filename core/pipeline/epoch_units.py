@@ -23,6 +23,7 @@ from ..model.unit_types import UnitType
 from ..results.run_record import RunRecord
 from ..segmentation.segment import MOST_INTERPENETRATION
 from .array_files import loaded_arrays
+from .block_clouds import MOST_KEPT, NOT_KEPT
 from .block_jobs import (
     BLOCK_ARRAYS,
     GRADIENT_TOLERANCE,
@@ -169,6 +170,7 @@ def segment_epochs(
         A tile is damaged.
     """
     blocks = [(plan, block) for plan in plans for block in plan.blocks]
+    clouds = runner.clouds if sum(plan.points for plan in plans) <= MOST_KEPT else NOT_KEPT
     jobs = [
         SegmentJob(
             block=block,
@@ -179,6 +181,7 @@ def segment_epochs(
             checksums=tuple(record.checksums[tile.path] for tile in block.tiles),
             given=None if given is None else tuple(given.get(plan.epoch.label, ())),
             timed=plan.epoch.trajectory is not None,
+            clouds=clouds,
         )
         for plan, block in blocks
     ]

@@ -13,7 +13,6 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray
-from ..data.tiles import read_points
 from ..model.unit_types import UnitType
 from ..registration.frame_correction import FrameCorrection
 from ..registration.transformation import Transformation
@@ -21,6 +20,7 @@ from ..results.schema import PLACEHOLDER
 from ..segmentation.gaps import Armour, Gap, armour_of, clearest, find_gaps
 from ..segmentation.overlaps import CLOSEST_HEIGHTS, REACH_HEIGHTS
 from .array_files import Arrays, loaded_arrays
+from .block_clouds import NOT_KEPT, BlockClouds
 from .blocks import Block
 from .epoch_quality import ACCEPTED, kinds_of, placed_rows, pose_table
 from .job_runner import JobRunner, job_key
@@ -56,6 +56,8 @@ class GapJob:
         What is left of the epoch's bent frame.
     checksums
         Of the block's tiles.
+    clouds
+        Where points of blocks are kept.
     """
 
     block: Block
@@ -66,6 +68,7 @@ class GapJob:
     transformation: Transformation
     correction: FrameCorrection
     checksums: tuple[str, ...]
+    clouds: BlockClouds = NOT_KEPT
 
     @property
     def name(self) -> str:
@@ -86,8 +89,7 @@ class GapJob:
     def run(self) -> Arrays:
         """Arrays by gap: place (absolute, control frame), kind, score, area and index of the type of unit."""
         window = self.block.core.grown(2 * REACH_HEIGHTS * self.armour.height)
-        cloud = read_points(self.block.tiles, self.survey_crs, window=window, origin=self.origin)
-        points = self.transformation.apply(cloud.xyz + self.origin)
+        points = self.transformation.apply(self.clouds.points(self.block, self.survey_crs, window, self.origin)[0] + self.origin)
         gaps = find_gaps(points - self.correction.at(points) - self.origin, self.armour)
         places = np.array([gap.place for gap in gaps]).reshape(-1, 3) + self.origin
         mine = self.block.core.contains(self.transformation.invert(places + self.correction.at(places)))
@@ -166,6 +168,7 @@ def look_into_tiles(
                         transformation=transformation,
                         correction=correction,
                         checksums=own,
+                        clouds=runner.clouds,
                     ),
                 )
             )

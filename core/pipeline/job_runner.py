@@ -23,6 +23,7 @@ from ..common.errors import Cancelled, InputError, TetratrackError
 from ..common.kernels import threads_of_kernels
 from ..common.software import JOB_PACKAGES, code_fingerprint
 from .array_files import Arrays, load_arrays, save_arrays
+from .block_clouds import NOT_KEPT, BlockClouds
 from .local_processes import LocalProcesses
 
 CONNECT_SECONDS = 5.0
@@ -72,6 +73,8 @@ class JobRunner:
         Asked while waiting.
     processes
         As many local processes as workers, which may be loading libraries already; None starts them when first needed.
+    clouds
+        Where jobs keep points of blocks for later ones.
     """
 
     folder: Path
@@ -79,6 +82,7 @@ class JobRunner:
     scheduler: str | None = None
     is_cancelled: Callable[[], bool] = lambda: False
     processes: LocalProcesses | None = None
+    clouds: BlockClouds = NOT_KEPT
 
     def __post_init__(self) -> None:
         self._processes = self.processes or LocalProcesses(self.workers)

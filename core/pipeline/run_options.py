@@ -14,6 +14,7 @@ from pathlib import Path
 from ..common.atomic_files import cannot_write, temporary_folder
 from ..common.errors import OutputError
 from ..common.feedback import Feedback
+from .block_clouds import BlockClouds
 from .job_runner import JobRunner, check_scheduler
 from .local_processes import LocalProcesses, processes_for
 
@@ -76,11 +77,11 @@ def job_runner(output: Path, options: RunOptions, feedback: Feedback, processes:
             return
         # workers of a cluster see the folder of the output, and nothing else for sure
         place = target.parent if options.scheduler else None
-        with (
-            temporary_folder(place) as temporary,
-            JobRunner(temporary, options.cores, options.scheduler, feedback.is_cancelled, processes) as runner,
-        ):
-            yield runner
+        with temporary_folder(place) as temporary:
+            # workers of a cluster would have them sent through its network
+            clouds = BlockClouds(None if options.scheduler else temporary)
+            with JobRunner(temporary, options.cores, options.scheduler, feedback.is_cancelled, processes, clouds) as runner:
+                yield runner
 
 
 @contextmanager

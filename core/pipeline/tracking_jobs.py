@@ -15,12 +15,12 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray
 from ..common.software import code_fingerprint
-from ..data.tiles import read_points
 from ..data.window_around import WindowAround
 from ..deformation.questions import Answer, Question
 from ..deformation.unit_clouds import ReadCloud
 from ..registration.transformation import Transformation
 from .array_files import Arrays, loaded_arrays
+from .block_clouds import NOT_KEPT, BlockClouds
 from .blocks import Block
 from .job_runner import JobRunner, job_key
 
@@ -128,6 +128,8 @@ class PointsAround:
         (k, 3) in the frame of the cloud, absolute, and distance from them, metres.
     checksums
         Of the blocks' tiles.
+    clouds
+        Where points of blocks are kept.
     """
 
     blocks: tuple[Block, ...]
@@ -137,6 +139,7 @@ class PointsAround:
     places: FloatArray
     reach: float
     checksums: tuple[str, ...]
+    clouds: BlockClouds = NOT_KEPT
 
     def __call__(self) -> ReadCloud:
         """(n, 3) points, control frame less the origin, and (n,) sources."""
@@ -145,10 +148,10 @@ class PointsAround:
         sources: list[NDArray[np.integer[Any]]] = [np.empty(0, dtype=np.uint16)]
         for block in self.blocks:
             window = WindowAround.of(block.core, self.places, self.reach)
-            cloud = read_points(block.tiles, self.survey_crs, window=window, origin=self.origin)
-            near = np.isfinite(tree.query(cloud.xyz, distance_upper_bound=self.reach)[0])
-            parts.append(self.transformation.apply(cloud.xyz[near] + self.origin) - self.origin)
-            sources.append(cloud.source_id[near])
+            xyz, own = self.clouds.points(block, self.survey_crs, window, self.origin)
+            near = np.isfinite(tree.query(xyz, distance_upper_bound=self.reach)[0])
+            parts.append(self.transformation.apply(xyz[near] + self.origin) - self.origin)
+            sources.append(own[near])
         return np.concatenate(parts) if parts else np.empty((0, 3)), np.concatenate(sources)
 
 

@@ -1,0 +1,65 @@
+"""Points that blocks leave to later jobs are those that stand in the tiles."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tetratrack.core.data.tiles import Window, inspect_tile, read_points
+from tetratrack.core.data.window_around import WindowAround
+from tetratrack.core.pipeline import block_clouds
+from tetratrack.core.pipeline.block_clouds import NOT_KEPT, BlockClouds
+from tetratrack.core.pipeline.blocks import Block, plan_blocks
+
+TILES = sorted((Path(__file__).resolve().parents[2] / "data" / "tiny" / "tiles" / "2024-04-09").glob("*.laz"))
+CRS = "EPSG:32650"
+ORIGIN = np.array([612_400.25, 3_456_700.5, 3.0])
+
+
+@pytest.fixture
+def block() -> Block:
+    return plan_blocks("a/b: c", [inspect_tile(path, CRS) for path in TILES], 2.0)[0]
+
+
+def _windows(block: Block) -> dict[str, Window]:
+    cloud = read_points(block.tiles, CRS)
+    places = cloud.xyz[:: len(cloud) // 4] + cloud.origin
+    low, high = places.min(axis=0), places.max(axis=0)
+    middle = 0.5 * (low + high)
+    return {
+        "all": Window(-math.inf, -math.inf, math.inf, math.inf),
+        "part": Window(float(low[0]), float(low[1]), float(middle[0]), float(middle[1])),
+        "around": WindowAround.of(block.core, places, 0.3),
+    }
+
+
+@pytest.mark.parametrize("name", ["all", "part", "around"])
+def test_kept_points_are_those_of_the_tiles(tmp_path: Path, block: Block, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    window, grown = _windows(block)[name], block.core.grown(5.0)
+    wanted = read_points(block.tiles, CRS, window=window, origin=ORIGIN)
+    clouds = BlockClouds(tmp_path)
+    clouds.keep(block, grown, read_points(block.tiles, CRS, window=grown))
+    monkeypatch.setattr(block_clouds, "read_points", None)
+    xyz, sources = clouds.points(block, CRS, window, ORIGIN)
+    assert len(xyz) > 20
+    np.testing.assert_allclose(xyz, wanted.xyz, rtol=0, atol=1e-12)
+    assert np.array_equal(sources, wanted.source_id)
+
+
+@pytest.mark.parametrize("trouble", ["no folder", "nothing kept", "damaged", "too narrow", "not written"])
+def test_tiles_are_read_where_points_are_not_kept(tmp_path: Path, block: Block, trouble: str) -> None:
+    window = _windows(block)["all"]
+    wanted = read_points(block.tiles, CRS, window=window, origin=ORIGIN)
+    clouds = NOT_KEPT if trouble == "no folder" else BlockClouds(tmp_path / "gone" if trouble == "not written" else tmp_path)
+    if trouble != "nothing kept":
+        narrow = _windows(block)["part"] if trouble == "too narrow" else block.core.grown(5.0)
+        clouds.keep(block, narrow, read_points(block.tiles, CRS, window=narrow))
+    kept = list(tmp_path.iterdir())
+    assert len(kept) == (trouble in ("damaged", "too narrow"))
+    if trouble == "damaged":
+        kept[0].write_bytes(kept[0].read_bytes()[:-100])
+    xyz, sources = clouds.points(block, CRS, window, ORIGIN)
+    np.testing.assert_allclose(xyz, wanted.xyz, rtol=0, atol=1e-12)
+    assert np.array_equal(sources, wanted.source_id)
