@@ -11,14 +11,23 @@ from scipy.spatial import cKDTree
 from .arrays import FloatArray, IntArray, corners
 from .kernels import kernel
 
+AT_ONCE = 100_000
+"""Points whose cells are found together."""
+
 
 class Grid(NamedTuple):
     """Points sorted into cubic cells: cell k holds ``order[start[k]:start[k + 1]]``, in ascending order. Compiled loops take it as it is.
+
+    Cells stand in columns, one after the other, each from its lowest point to its highest: a cloud is a surface, and most cells of the box
+    around it are empty.
 
     Attributes
     ----------
     start
         (cells + 1,) where each cell begins in ``order``.
+    column, bottom
+        (columns + 1,) which cell is the lowest of each column, and (columns,) the level of that cell; column ``i * size[1] + j`` is that of
+        the cells i, j.
     order
         (n,) indices of the points.
     places
@@ -26,12 +35,14 @@ class Grid(NamedTuple):
     origin
         (3,) lowest corner, metres.
     size
-        (3,) number of cells along each axis.
+        (3,) number of cells along each axis of the box.
     cell
         Edge of a cell, metres.
     """
 
     start: NDArray[np.int32]
+    column: NDArray[np.int32]
+    bottom: NDArray[np.int32]
     order: IntArray
     places: FloatArray
     origin: FloatArray
@@ -60,32 +71,42 @@ def build_grid(points: FloatArray, cell: float, most_cells: int = 20_000_000) ->
     while np.prod(np.floor(extent / cell) + 1) > most_cells:
         cell *= 1.5
     size = (np.floor(extent / cell) + 1).astype(np.int64)
-    key = np.minimum(np.floor((points - origin) / cell).astype(np.int64), size - 1)
-    flat = (key[:, 0] * size[1] + key[:, 1]) * size[2] + key[:, 2]
-    start, order = _sorted_into_cells(flat, int(np.prod(size)))
-    return Grid(start, order, points[order], origin, size, float(cell))
+    column, level = np.empty(len(points), dtype=np.int32), np.empty(len(points), dtype=np.int32)
+    for first in range(0, len(points), AT_ONCE):
+        part = slice(first, first + AT_ONCE)
+        key = np.minimum(np.floor((points[part] - origin) / cell).astype(np.int64), size - 1)
+        column[part], level[part] = key[:, 0] * size[1] + key[:, 1], key[:, 2]
+    start, lowest, bottom, order = _sorted_into_cells(column, level, int(size[0] * size[1]))
+    return Grid(start, lowest, bottom, order, points[order], origin, size, float(cell))
 
 
 @kernel()
-def _sorted_into_cells(cell: Any, cells: int) -> Any:
-    """Where every cell begins in the order of the points, and that order, ascending within a cell.
-
-    Cells are many more than points, and their table is most of what a block needs: one array, of four bytes a cell.
-    """
+def _sorted_into_cells(column: Any, level: Any, columns: int) -> Any:
+    """Where every cell begins in the order of the points, cells of columns, and that order, ascending within a cell: see :class:`Grid`."""
+    bottom = np.full(columns, 2**31 - 1, dtype=np.int32)
+    top = np.full(columns, -1, dtype=np.int32)
+    for i in range(len(column)):
+        bottom[column[i]] = min(bottom[column[i]], level[i])
+        top[column[i]] = max(top[column[i]], level[i])
+    lowest = np.zeros(columns + 1, dtype=np.int32)
+    for k in range(columns):
+        lowest[k + 1] = lowest[k] + (top[k] - bottom[k] + 1 if top[k] >= 0 else 0)
+    cells = lowest[columns]
     start = np.zeros(cells + 1, dtype=np.int32)
-    for i in range(len(cell)):
-        start[cell[i] + 1] += 1
+    for i in range(len(column)):
+        start[lowest[column[i]] + level[i] - bottom[column[i]] + 1] += 1
     for k in range(cells):
         start[k + 1] += start[k]
-    order = np.empty(len(cell), dtype=np.int64)
-    for i in range(len(cell)):
-        order[start[cell[i]]] = i
-        start[cell[i]] += 1
+    order = np.empty(len(column), dtype=np.int64)
+    for i in range(len(column)):
+        k = lowest[column[i]] + level[i] - bottom[column[i]]
+        order[start[k]] = i
+        start[k] += 1
     # every cell now begins where it ends
     for k in range(cells, 0, -1):
         start[k] = start[k - 1]
     start[0] = 0
-    return start, order
+    return start, lowest, bottom, order
 
 
 @kernel(makes_arrays=False)
@@ -103,12 +124,14 @@ def column_within(i: int, j: int, middle: Any, reach: float, grid: Any) -> Any:
     if rest < 0.0:
         return 0, 0
     half = np.sqrt(rest)
-    low = max(0, int(np.floor((middle[2] - half - grid.origin[2]) / grid.cell)))
-    high = min(grid.size[2] - 1, int(np.floor((middle[2] + half - grid.origin[2]) / grid.cell)))
-    if high < low:
+    k = i * grid.size[1] + j
+    row, bottom = int(grid.column[k]), int(grid.bottom[k])
+    # within the column; the levels below and above it hold no points
+    low = max(0, int(np.floor((middle[2] - half - grid.origin[2]) / grid.cell)) - bottom)
+    high = min(int(grid.column[k + 1]) - row, int(np.floor((middle[2] + half - grid.origin[2]) / grid.cell)) - bottom + 1)
+    if high <= low:
         return 0, 0
-    row = (i * grid.size[1] + j) * grid.size[2]
-    return np.int64(grid.start[row + low]), np.int64(grid.start[row + high + 1])
+    return np.int64(grid.start[row + low]), np.int64(grid.start[row + high])
 
 
 @kernel()
@@ -118,7 +141,7 @@ def gather(active: Any, middle: Any, reach: float, grid: Any, most: Any) -> Any:
     Compiled loops give ``middle`` as a tuple and ``most`` as an ``np.int64``: this one would be compiled anew for each way an array can
     lie in memory, and for each constant.
     """
-    _, order, places, origin, size, cell = grid
+    order, places, origin, size, cell = grid.order, grid.places, grid.origin, grid.size, grid.cell
     low = np.empty(2, dtype=np.int64)
     high = np.empty(2, dtype=np.int64)
     for a in range(2):

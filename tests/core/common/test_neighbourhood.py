@@ -12,7 +12,23 @@ def test_cells_hold_their_points_in_ascending_order() -> None:
     cell = np.minimum(np.floor((points - grid.origin) / grid.cell).astype(int), grid.size - 1)
     flat = np.ravel_multi_index(tuple(cell.T), tuple(grid.size))
     assert grid.order.tolist() == np.argsort(flat, kind="stable").tolist()
-    assert np.diff(grid.start).tolist() == np.bincount(flat, minlength=int(np.prod(grid.size))).tolist()
+    held = np.bincount(flat, minlength=int(np.prod(grid.size))).reshape(-1, grid.size[2])
+    for k, counts in enumerate(held):
+        own = np.flatnonzero(counts)
+        assert grid.bottom[k] == own[0]
+        starts = grid.start[grid.column[k] : grid.column[k + 1] + 1]
+        assert np.diff(starts).tolist() == counts[own[0] : own[-1] + 1].tolist()
+
+
+def test_table_of_cells_is_that_of_a_surface_not_of_the_box_around_it() -> None:
+    # a slope of 45 degrees and a lone point above: 10^6 cells of the box, of which a column of the slope has one or two
+    e, n = (values.ravel() for values in np.meshgrid(np.arange(0.05, 10, 0.1), np.arange(0.05, 10, 0.1)))
+    points = np.vstack([np.column_stack([e, n, e]), [[5.0, 5.0, 9.9]]])
+    grid = build_grid(points, 0.1)
+    assert int(np.prod(grid.size)) > 900_000
+    assert len(grid.start) < 25_000
+    near = np.linalg.norm(points - [5.0, 5.0, 9.0], axis=1) <= 3.0
+    assert sorted(grid.within(np.array([5.0, 5.0, 9.0]), 3.0)) == np.flatnonzero(near).tolist()
 
 
 def test_points_within_reach() -> None:
