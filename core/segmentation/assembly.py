@@ -120,8 +120,13 @@ def poses_from_single_legs(legs: Legs, scene: Scene, active: BoolArray, *, twist
 
 
 @kernel()
-def twist_support(local: Any, turned: Any, shift: float, radius: float, gradient: float, length: float, tolerance: float) -> float:
-    """Elements on the surface less those inside the solid; ``local`` (3, m) about a leg, ``turned`` (4, 3) the legs in that frame."""
+def twist_support(
+    local: Any, count: int, turned: Any, shift: float, radius: float, gradient: float, length: float, tolerance: float
+) -> float:
+    """Elements on the surface less those inside the solid, of the first ``count`` of ``local`` (3, m) about a leg.
+
+    ``turned`` (4, 3) are the legs in that frame.
+    """
     cosine = 1.0 / np.sqrt(1.0 + gradient * gradient)
     edge = radius - gradient * length
     a0, a1, a2 = turned[0, 0], turned[0, 1], turned[0, 2]
@@ -130,7 +135,7 @@ def twist_support(local: Any, turned: Any, shift: float, radius: float, gradient
     d0, d1, d2 = turned[3, 0], turned[3, 1], turned[3, 2]
     total = 0.0
     # no branches: the loop runs in vector registers
-    for q in range(local.shape[1]):
+    for q in range(count):
         x, y, z = local[0, q], local[1, q], local[2, q] - shift
         axial = max(max(x * a0 + y * a1 + z * a2, x * b0 + y * b1 + z * b2), max(x * c0 + y * c1 + z * c2, x * d0 + y * d1 + z * d2))
         rho = np.sqrt(max(x * x + y * y + z * z - axial * axial, 0.0))
@@ -179,7 +184,7 @@ def _twist_search(
                 turned[k, 0], turned[k, 1], turned[k, 2] = ca * legs[k, 0] - sa * legs[k, 1], sa * legs[k, 0] + ca * legs[k, 1], legs[k, 2]
             for k in range(-steps, steps + 1):
                 shift = k * reaches[i] / steps
-                total = twist_support(local, turned, shift, radius, gradient, length, tolerance)
+                total = twist_support(local, m, turned, shift, radius, gradient, length, tolerance)
                 if total > of_twist[t]:
                     of_twist[t], shift_of_twist[t] = total, shift
                 far = 1.0

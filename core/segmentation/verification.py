@@ -93,36 +93,52 @@ def select(candidates: FloatArray, scene: Scene, active: BoolArray, accepted: Fl
 
 def distinct(poses: FloatArray, unit: UnitType) -> IntArray:
     """Indices of (k, 12) candidates, best first, that are not near-copies of a better one."""
-    return np.asarray(without_copies(poses, unit.symmetries, 0.08 * unit.height, np.cos(np.radians(10))))
+    return without_copies(poses, unit.symmetries, 0.08 * unit.height, np.cos(np.radians(10)))
+
+
+def without_copies(poses: FloatArray, symmetries: FloatArray, near: float, cosine: float) -> IntArray:
+    """Indices of (k, 12) poses, best first, that are not close to a better one.
+
+    Close is what lies within ``near`` metres in centre and, up to the (s, 3, 3) symmetries, within the angle of that cosine in rotation.
+    """
+    return np.flatnonzero(_without_copies(poses, np.argsort(poses[:, 0], kind="stable"), symmetries, near, cosine))
 
 
 @kernel()
-def without_copies(poses: Any, symmetries: Any, near: float, cosine: float) -> Any:
-    """Indices of poses, best first, that are not close to a better one in centre and, up to the symmetry, in rotation."""
-    kept = np.empty(len(poses), dtype=np.int64)
-    count = 0
-    for i in range(len(poses)):
-        copy = False
-        for k in range(count):
-            j = kept[k]
-            d0, d1, d2 = poses[i, 0] - poses[j, 0], poses[i, 1] - poses[j, 1], poses[i, 2] - poses[j, 2]
-            if d0 * d0 + d1 * d1 + d2 * d2 > near * near:
-                continue
-            for s in range(len(symmetries)):
-                trace = 0.0
-                for a in range(3):
-                    for b in range(3):
-                        for c in range(3):
-                            trace += poses[i, 3 + 3 * a + b] * symmetries[s, b, c] * poses[j, 3 + 3 * a + c]
-                if 0.5 * (trace - 1.0) > cosine:
-                    copy = True
-                    break
-            if copy:
-                break
-        if not copy:
-            kept[count] = i
-            count += 1
-    return kept[:count]
+def _without_copies(poses: Any, along: Any, symmetries: Any, near: float, cosine: float) -> Any:
+    """(k,) whether poses, best first, are no copies of a better one; ``along`` is their order by the first coordinate, so that only those
+    about as far along it are looked at."""
+    count = len(poses)
+    place = np.empty(count, dtype=np.int64)
+    for k in range(count):
+        place[along[k]] = k
+    kept = np.zeros(count, dtype=np.bool_)
+    for i in range(count):
+        kept[i] = True
+        for way in (-1, 1):
+            k = place[i] + way
+            while kept[i] and 0 <= k < count and abs(poses[along[k], 0] - poses[i, 0]) <= near:
+                if along[k] < i and kept[along[k]]:
+                    kept[i] = not _is_copy(poses[i], poses[along[k]], symmetries, near, cosine)
+                k += way
+    return kept
+
+
+@kernel()
+def _is_copy(pose: Any, other: Any, symmetries: Any, near: float, cosine: float) -> bool:
+    """Whether two poses differ by no more than ``near`` in centre and, up to the symmetry, by an angle of that cosine in rotation."""
+    d0, d1, d2 = pose[0] - other[0], pose[1] - other[1], pose[2] - other[2]
+    if d0 * d0 + d1 * d1 + d2 * d2 > near * near:
+        return False
+    for s in range(len(symmetries)):
+        trace = 0.0
+        for a in range(3):
+            for b in range(3):
+                for c in range(3):
+                    trace += pose[3 + 3 * a + b] * symmetries[s, b, c] * other[3 + 3 * a + c]
+        if 0.5 * (trace - 1.0) > cosine:
+            return True
+    return False
 
 
 def plausible(found: Evidence, tolerance: float) -> BoolArray:

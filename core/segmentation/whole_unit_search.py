@@ -71,17 +71,28 @@ def _search(first: int, last: int, seeds: Any, elements: Any, active: Any, grid:
     points, normals, curved = elements
     legs, radius, gradient, length, height = shape
     slant = 1.0 / np.sqrt(1.0 + gradient * gradient)
+    # what lies farther from the centre is neither on nor inside the solid
+    farthest = (length + 2.0 * tolerance) ** 2 + (radius - gradient * length + 2.0 * tolerance / slant) ** 2
+    turns = np.empty((TWISTS, 2))
+    turned = np.empty((TWISTS, 4, 3))
+    for w in range(TWISTS):
+        twist = w * (2.0 * np.pi / 3.0) / TWISTS
+        c, s = np.cos(twist), np.sin(twist)
+        turns[w, 0], turns[w, 1] = c, s
+        for k in range(4):
+            turned[w, k, 0] = c * legs[k, 0] - s * legs[k, 1]
+            turned[w, k, 1] = s * legs[k, 0] + c * legs[k, 1]
+            turned[w, k, 2] = legs[k, 2]
     for i in range(first, last):
         seed = seeds[i]
         place = (points[seed, 0], points[seed, 1], points[seed, 2])
         near = gather(active, place, REACH * height, grid, np.int64(SAMPLE))
         m = len(near)
-        local, own = np.empty((3, m)), np.empty((3, m))
+        local, own = np.empty((3, m + 1)), np.empty((3, m))
         for q in range(m):
             for a in range(3):
                 own[a, q] = points[near[q], a] - place[a]
         best = np.full(KEPT, -1e300)
-        turned = np.empty((4, 3))
         n = np.empty(3)
         aside = np.zeros(3)
         # the sign of a normal is known where the surface bends as a leg does
@@ -101,19 +112,18 @@ def _search(first: int, last: int, seeds: Any, elements: Any, active: Any, grid:
                 for share in SHIFTS:
                     along = share * length
                     rho = radius - gradient * along
+                    count = 0
+                    # every element is written down, and written over where it is too far
                     for q in range(m):
                         x, y, z = own[0, q], own[1, q], own[2, q]
-                        local[0, q] = x * radial[0] + y * radial[1] + z * radial[2] + rho
-                        local[1, q] = x * across[0] + y * across[1] + z * across[2]
-                        local[2, q] = x * axis[0] + y * axis[1] + z * axis[2] + along
+                        lx = x * radial[0] + y * radial[1] + z * radial[2] + rho
+                        ly = x * across[0] + y * across[1] + z * across[2]
+                        lz = x * axis[0] + y * axis[1] + z * axis[2] + along
+                        local[0, count], local[1, count], local[2, count] = lx, ly, lz
+                        count += 1 if lx * lx + ly * ly + lz * lz <= farthest else 0
                     for w in range(TWISTS):
-                        twist = w * (2.0 * np.pi / 3.0) / TWISTS
-                        c, s = np.cos(twist), np.sin(twist)
-                        for k in range(4):
-                            turned[k, 0] = c * legs[k, 0] - s * legs[k, 1]
-                            turned[k, 1] = s * legs[k, 0] + c * legs[k, 1]
-                            turned[k, 2] = legs[k, 2]
-                        total = twist_support(local, turned, 0.0, radius, gradient, length, tolerance)
+                        c, s = turns[w, 0], turns[w, 1]
+                        total = twist_support(local, count, turned[w], 0.0, radius, gradient, length, tolerance)
                         if total <= best[KEPT - 1]:
                             continue
                         # the first is replaced by what is better, and goes to the second where the axes differ

@@ -16,13 +16,13 @@ from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.segmentation.aggregation import assign
 from tetratrack.core.segmentation.assembly import poses_from_pairs
 from tetratrack.core.segmentation.conic_ransac import find_legs
-from tetratrack.core.segmentation.pose_evidence import evidence
+from tetratrack.core.segmentation.pose_evidence import AZIMUTH_CELLS, LAST_OF_TURN, azimuth_cell, evidence
 from tetratrack.core.segmentation.pose_refinement import refine
 from tetratrack.core.segmentation.pose_score import BRIDGED, NOISY, RICH, SMOOTHED, SPARSE, ScoreModel, TypicalUnit, score, where_bridged
 from tetratrack.core.segmentation.scene import CELLS, CLOSE, COLUMNS, MISFIT, REACHED, SUPPORT, Evidence, Scene
 from tetratrack.core.segmentation.segment import FEWEST_FOUND_CELLS, FOUND_SCORE, fewest_found_cells, segment
 from tetratrack.core.segmentation.surface_elements import surface_elements
-from tetratrack.core.segmentation.verification import FEWEST_CELLS, overlap
+from tetratrack.core.segmentation.verification import FEWEST_CELLS, overlap, without_copies
 from tetratrack.core.simulation.sampled_unit import interlocked_rows
 
 UNIT = UnitType.tetrapod(2.3)
@@ -345,3 +345,27 @@ def test_legs_of_unequal_angles_are_told_apart(legs):
         seen = pose.rotation @ unit.leg_directions[list(legs)].T
         assert np.linalg.norm(own.pose.centre - pose.centre) < 0.01
         assert np.degrees(np.arccos(np.clip(np.max(seen.T @ axes, axis=1), -1, 1))).max() < 1.0
+
+
+def test_cell_around_a_leg_is_that_of_the_angle() -> None:
+    angles = np.radians(np.concatenate([np.arange(-179.5, 180, 0.5), [-90, -45, 0, 45, 90, 179.999]]) + 1e-4)
+    cells = [azimuth_cell(0.3 * np.cos(angle), 0.3 * np.sin(angle)) for angle in angles]
+    assert cells == [int((angle + np.pi) / (2 * np.pi) * LAST_OF_TURN) for angle in angles]
+    assert set(cells) == set(range(AZIMUTH_CELLS))
+
+
+def test_copies_are_those_of_better_poses_that_are_kept() -> None:
+    rng = np.random.default_rng(5)
+    # chains of neighbours, each a copy of the one before: what is a copy of a copy alone is kept
+    centres = np.repeat(rng.uniform(0, 4, (40, 3)), 15, axis=0) + rng.normal(0, 0.1, (600, 3))
+    turns = Rotation.from_rotvec(rng.normal(0, 0.08, (600, 3))).as_matrix() @ UNIT.symmetries[rng.integers(0, 12, 600)]
+    poses, near, cosine = np.column_stack([centres, turns.reshape(-1, 9)]), 0.15, np.cos(np.radians(10))
+    kept: list[int] = []
+    for i, pose in enumerate(poses):
+        close = [k for k in kept if np.linalg.norm(poses[k, :3] - pose[:3]) <= near]
+        both = pose[3:].reshape(3, 3) @ UNIT.symmetries
+        angles = [(np.einsum("sij,ij->s", both, poses[k, 3:].reshape(3, 3)).max() - 1) / 2 for k in close]
+        if not any(angle > cosine for angle in angles):
+            kept.append(i)
+    assert 100 < len(kept) < 500
+    assert without_copies(poses, UNIT.symmetries, near, cosine).tolist() == kept
