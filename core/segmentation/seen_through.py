@@ -324,18 +324,24 @@ def _entered(
 
     Where ``one`` stand is enough, those after the first from which no more than ``most`` enter are not asked, and count as others.
     """
-    count = len(centres)
+    units = len(centres)
     result = np.full(len(stands), most + 1)
     # beams that entered from the last place are asked first: most places are left after a few
     order = np.arange(len(points))
-    by_axis, legs = centres.T.copy(), axes.transpose(2, 0, 1).copy()
+    by_axis, frusta = centres.T.copy(), np.empty((4, 4 * units))
+    for u in range(units):
+        for leg in range(4):
+            for a in range(3):
+                frusta[a, 4 * u + leg] = axes[u, leg, a]
+            frusta[3, 4 * u + leg] = lasts[u, leg]
     # of a point from a centre, square of the distance beyond the reach: the same from all places
-    beyond = np.empty((len(points), count))
+    beyond = np.empty((len(points), units))
     for i in range(len(points)):
-        for u in range(count):
+        for u in range(units):
             px, py, pz = points[i, 0] - by_axis[0, u], points[i, 1] - by_axis[1, u], points[i, 2] - by_axis[2, u]
             beyond[i, u] = px * px + py * py + pz * pz - reach * reach
-    near, roots = np.empty(count), np.empty(4)
+    inwards, near = np.empty(units), np.empty(units + 1, dtype=np.int64)
+    asked = np.zeros((7, 4 * units + 4))
     for k in range(len(stands)):
         entered = 0
         for place in range(len(points)):
@@ -345,31 +351,28 @@ def _entered(
             length = np.sqrt(bx * bx + by * by + bz * bz)
             bx, by, bz = bx / length, by / length, bz / length
             # without branches, in vector registers: whether the beam passes through the sphere around a unit
-            for u in range(count):
+            for u in range(units):
                 along = max((by_axis[0, u] - x) * bx + (by_axis[1, u] - y) * by + (by_axis[2, u] - z) * bz, 0.0)
-                near[u] = along * along - beyond[i, u]
-            hit = False
-            for u in range(count):
-                if near[u] < 0.0:
-                    continue
-                px, py, pz = x - by_axis[0, u], y - by_axis[1, u], z - by_axis[2, u]
-                along, square = px * bx + py * by + pz * bz, beyond[i, u] + reach * reach
-                # the same, whether its line meets the cones: most miss all four
+                inwards[u] = along * along - beyond[i, u]
+            count = 0
+            for u in range(units):
+                near[count] = u
+                count += 1 if inwards[u] >= 0.0 else 0
+            if count == 0:
+                continue
+            for m in range(count):
+                u = near[m]
                 for leg in range(4):
-                    axial = px * legs[0, u, leg] + py * legs[1, u, leg] + pz * legs[2, u, leg]
-                    lean = bx * legs[0, u, leg] + by * legs[1, u, leg] + bz * legs[2, u, leg]
-                    thick = radius - gradient * axial
-                    b = along - axial * lean + thick * gradient * lean
-                    roots[leg] = b * b - (1.0 - lean * lean * (1.0 + gradient * gradient)) * (square - axial * axial - thick * thick)
+                    for a in range(4):
+                        asked[a, 4 * m + leg] = frusta[a, 4 * u + leg]
+                    asked[4, 4 * m + leg] = x - by_axis[0, u]
+                    asked[5, 4 * m + leg] = y - by_axis[1, u]
+                    asked[6, 4 * m + leg] = z - by_axis[2, u]
+            if count % 2 == 1:
+                # legs go by eight: four of no length
                 for leg in range(4):
-                    if roots[leg] > 0.0:
-                        inside, _ = _inside((px, py, pz), (bx, by, bz), axes[u, leg], 0.0, lasts[u, leg], radius, gradient)
-                        if inside > chord:
-                            hit = True
-                            break
-                if hit:
-                    break
-            if hit:
+                    asked[3, 4 * count + leg] = 0.0
+            if _legs_entered(asked, (count + 1) // 2, (bx, by, bz), radius, gradient, chord) > 0.0:
                 order[place], order[entered] = order[entered], order[place]
                 entered += 1
                 if entered > most:
@@ -378,3 +381,36 @@ def _entered(
         if one and entered <= most:
             break
     return result
+
+
+@kernel(makes_arrays=False)
+def _legs_entered(legs: Any, eights: int, beam: Any, radius: float, gradient: float, chord: float) -> float:
+    """How many of so many times eight legs a beam runs within for more than ``chord``, as :func:`_inside` tells.
+
+    Columns of ``legs`` (7, n) are the direction of a leg, where it ends along it, and from where the beam comes, relative to the unit's
+    centre. No branches, and a number of passes that fills vector registers.
+    """
+    bx, by, bz = beam
+    entered = 0.0
+    for k in range(8 * eights):
+        ax, ay, az = legs[0, k], legs[1, k], legs[2, k]
+        px, py, pz = legs[4, k], legs[5, k], legs[6, k]
+        axial = px * ax + py * ay + pz * az
+        lean = bx * ax + by * ay + bz * az
+        thick = radius - gradient * axial
+        a = 1.0 - lean * lean * (1.0 + gradient * gradient)
+        b = px * bx + py * by + pz * bz - axial * lean + thick * gradient * lean
+        c = px * px + py * py + pz * pz - axial * axial - thick * thick
+        root = b * b - a * c
+        width = np.sqrt(max(root, 0.0))
+        per = 1.0 / (a if abs(a) >= 1e-9 else 1.0)
+        one, two = min((-b - width) * per, (-b + width) * per), max((-b - width) * per, (-b + width) * per)
+        # nearly along the axis, a < 0: inside the cone before its apex
+        low = one if a > 0.0 else (-1e300 if lean > 0.0 else two)
+        high = two if a > 0.0 else (one if lean > 0.0 else 1e300)
+        # across the axis: within both ends all along, or nowhere
+        steps = 1.0 / (lean if abs(lean) > 1e-9 else 1e-300)
+        start, end = -axial * steps, (legs[3, k] - axial) * steps
+        low, high = max(max(low, min(start, end)), 0.0), min(high, max(start, end))
+        entered += 1.0 if (root > 0.0) & (abs(a) >= 1e-9) & (high - low > chord) else 0.0
+    return entered
