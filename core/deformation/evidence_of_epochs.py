@@ -11,7 +11,7 @@ import numpy as np
 from ..common.arrays import FloatArray
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
-from ..segmentation.pose_score import SPARSE_RATIO, SURE_ALONE
+from ..segmentation.pose_score import SPARSE_RATIO
 from ..segmentation.second_look import SecondLook, second_look
 from ..segmentation.segment import FOUND_SCORE
 from ..segmentation.unit_size import point_spacing
@@ -81,6 +81,12 @@ def score_at_rest(
     return math.nan if both is None or both.score < FOUND_SCORE else max(both.score, known.score), best.place
 
 
+def score_with_twist(pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray) -> tuple[float, Pose]:
+    """Probability of a unit whose turn about a leg is known, by the (n, 3) points of two epochs laid together; and where it is then."""
+    look = _judged(pose, shape, owners, around, settle=True, rich=True, twist=True)
+    return (0.0, pose) if look is None else (look.score * look.certainty, look.place)
+
+
 def shown_there(beside: Sequence[FittedUnit], known: FittedUnit, move: FloatArray, owners: Sequence[FittedUnit]) -> list[FittedUnit]:
     """Units that the epoch of a unit alone shows around it, where they would be in the other one, whose units are ``owners``."""
     places = [owner.pose.centre for owner in owners]
@@ -140,10 +146,10 @@ def _look_at(
 
 
 def _judged(
-    pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray, *, settle: bool, rich: bool
+    pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray, *, settle: bool, rich: bool, twist: bool = False
 ) -> SecondLook | None:
     """The same whatever limits what the epoch shows; None where few points are there, or rich ones unless ``rich`` asks for these."""
     alike = [owner for owner in owners if owner.shape == shape]
     others = np.array([owner.pose.as_row() for owner in alike]).reshape(-1, 12)
-    sure = np.array([owner.score >= SURE_ALONE for owner in alike], dtype=np.bool_)
-    return second_look(around, pose.as_row(), others, sure, shape, settle=settle, rich=rich)
+    scores = np.array([owner.score for owner in alike])
+    return second_look(around, pose.as_row(), others, scores, shape, settle=settle, rich=rich, twist=twist)

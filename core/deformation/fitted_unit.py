@@ -32,6 +32,8 @@ class FittedUnit:
         (6, 6) of the fitted pose, used where there are no points or nothing ties the units.
     score
         Probability that it is a unit, 0 to 1.
+    twist_open
+        Uncertain for nothing but the turn about a leg, which its own epoch leaves open.
     n_points
         Points that carry weight in the fit.
     legs
@@ -46,6 +48,7 @@ class FittedUnit:
     cloud: UnitCloud
     covariance: FloatArray | None = None
     score: float = 1.0
+    twist_open: bool = False
     n_points: int = 0
     legs: LegEnds = field(default_factory=LegEnds.unseen)
 

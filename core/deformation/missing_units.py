@@ -29,6 +29,7 @@ from .presence import FEWEST_POINTS, look_up, settled_on
 from .questions import Answer, Ask
 from .tracked_epoch import TrackedEpoch
 from .unit_clouds import ReadCloud, Sources, UnitCloud
+from .unit_places import UnitPlaces
 from .unit_states import SURE_SCORE
 
 FEWEST_SPARSE_POINTS = 25
@@ -38,8 +39,6 @@ LOOK_UP_RATIO, LOOK_UP_NOISE = 0.025, 3.0
 noise, up to which it lies on it: whichever is more, as a window narrower than the noise keeps only the points that the prediction likes."""
 LOOK_UP_REACHES = 1.35
 """Distance from a missing unit's centre, in reaches of a unit, in which its place is looked at."""
-NEIGHBOURS = 9
-"""Units whose median motion says where a unit would be that one epoch does not show."""
 LEAST_SCORE = 0.4
 """Score of a pose of weak evidence from which it is looked for in another epoch."""
 SAME_POINT = 1e-4
@@ -194,7 +193,7 @@ def look_for_missing(
     if surroundings is None:
         return states, [], {}
     certain = [[unit for unit in epoch.units if unit.certain] for epoch in epochs]
-    return _weighed(seen, states, _answered(wanted, seen, units, _Places(certain, seen, shifts), surroundings, ask))
+    return _weighed(seen, states, _answered(wanted, seen, units, UnitPlaces(certain, seen, shifts), surroundings, ask))
 
 
 def look_for_rest(
@@ -234,7 +233,7 @@ def look_for_rest(
     certain = [[own[epoch] for own in seen if epoch in own and own[epoch].certain] for epoch in range(count)]
     return [
         (unit, epoch, _taken_up(seen[unit][reference], answer, k))
-        for (epoch, reference, *_), asked, answer in _answered(wanted, seen, units, _Places(certain, seen, shifts), surroundings, ask)
+        for (epoch, reference, *_), asked, answer in _answered(wanted, seen, units, UnitPlaces(certain, seen, shifts), surroundings, ask)
         for k, unit in enumerate(asked)
         if answer["state"][k] == "there" and answer["score"][k] >= FOUND_SCORE
     ]
@@ -244,7 +243,7 @@ def _answered(
     wanted: Mapping[tuple[int, ...], Sequence[int]],
     seen: Sequence[Mapping[int, FittedUnit]],
     units: Sequence[UnitType],
-    places: _Places,
+    places: UnitPlaces,
     surroundings: Surroundings,
     ask: Ask,
 ) -> Iterator[tuple[tuple[int, ...], Sequence[int], Answer]]:
@@ -347,34 +346,6 @@ def _far_apart(sightings: Mapping[int, FittedUnit], shifts: FloatArray) -> list[
     best = max(shown, key=lambda e: (sightings[e].score, -e))
     moved = {e: sightings[best].pose.shifted(shifts[e] - shifts[best]) for e in shown}
     return [(e, best) for e in shown if e != best and not is_near(moved[e], sightings[e].pose, sightings[e].shape)]
-
-
-class _Places:
-    """Where units are that questions need, epoch by epoch."""
-
-    def __init__(self, certain: Sequence[list[FittedUnit]], seen: Sequence[Mapping[int, FittedUnit]], shifts: FloatArray) -> None:
-        self._certain, self._seen, self._shifts = certain, seen, shifts
-        self._trees = [cKDTree(np.array([u.pose.centre for u in own]).reshape(-1, 3)) for own in certain]
-        self._both: dict[tuple[int, int], tuple[cKDTree, FloatArray] | None] = {}
-
-    def owners(self, epoch: int, places: FloatArray, reach: float) -> tuple[FittedUnit, ...]:
-        """Certain units of an epoch within a distance of (k, 3) places."""
-        near = sorted({k for around in self._trees[epoch].query_ball_point(places, reach) for k in around})
-        return tuple(self._certain[epoch][k] for k in near)
-
-    def shifts(self, first: int, second: int, places: FloatArray) -> FloatArray:
-        """(k, 3) shift between two epochs' clouds at (k, 3) places: the median of the nearest units that both show, or the common one."""
-        if (first, second) not in self._both:
-            both = [(s[first].pose.centre, s[second].pose.centre) for s in self._seen if first in s and second in s and s[first].certain]
-            known = None
-            if len(both) >= NEIGHBOURS:
-                before, after = (np.array(column) for column in zip(*both, strict=True))
-                known = cKDTree(before), after - before
-            self._both[first, second] = known
-        known = self._both[first, second]
-        if known is None:
-            return np.tile(self._shifts[second] - self._shifts[first], (len(places), 1))
-        return np.asarray(np.median(known[1][known[0].query(places, k=NEIGHBOURS)[1]], axis=1))
 
 
 def _enters(pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], most: float) -> bool:

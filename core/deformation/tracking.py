@@ -36,6 +36,7 @@ from .missing_units import Surroundings, look_for_missing, look_for_rest
 from .open_displacements import hold_open_displacements
 from .questions import Ask, answered_here
 from .relocation import join_relocated
+from .shared_twists import settle_together
 from .strip_offsets import adjust_jointly
 from .tracked_epoch import TrackedEpoch, TrackedUnit
 from .unit_clouds import by_home
@@ -128,6 +129,7 @@ def track(
     identities = identify(found, units)
     tracks = list(identities.tracks)
     seen: list[dict[int, FittedUnit]] = [{e: epochs[e].units[row].relabelled(t.symmetries[e]) for e, row in t.rows.items()} for t in tracks]
+    tracks, seen = settle_together(tracks, seen, units, identities.shifts, surroundings, ask)
     states, recovered, verdicts = look_for_missing(epochs, seen, units, identities.shifts, surroundings, ask)
     for unit, is_certain in verdicts.items():
         seen[unit] = {epoch: replace(sighting, certain=is_certain) for epoch, sighting in seen[unit].items()}

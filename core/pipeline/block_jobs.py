@@ -271,7 +271,7 @@ def adjusted_nearby(
     raise NoSolutionError("no adjustment stays near the pose that was found", remedy="Check the points of the unit.")
 
 
-SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported")
+SEGMENT_COLUMNS = ("poses", "type", "score", "coverage", "legs_visible", "status", "misfit", "supported", "twist_open")
 """Arrays of a block's units before adjustment, one row per unit."""
 LEG_COLUMNS = ("leg_states", "leg_missing", "leg_broken", "leg_evidence")
 """What the cloud around each unit shows of the ends of its legs, (k, 4) each: see :class:`..segmentation.leg_ends.LegEnds`."""
@@ -384,6 +384,7 @@ def _found(cloud: PointCloud, number: int, unit: SurveyUnit, seed: int) -> tuple
         [u.misfit for u in result.units],
         [u.supported for u in result.units],
     )
+    table["twist_open"] = np.array([u.twist_open for u in result.units], dtype=np.bool_)
     labels = np.full(len(cloud), -1, dtype=np.int64)
     labels[near] = result.labels
     if unit.area is not None:
@@ -468,6 +469,7 @@ def _table(
         "status": np.array(statuses, dtype="U12"),
         "misfit": np.array(misfits, dtype=np.float64),
         "supported": np.array(supported, dtype=np.float64),
+        "twist_open": np.zeros(len(poses), dtype=np.bool_),
     }
 
 

@@ -172,6 +172,7 @@ def _tracked_epoch(
             cloud=UnitCloud(ids, points, (number, file)),
             covariance=covariance,
             score=score,
+            twist_open=bool(table["twist_open"][row]),
             n_points=n_points,
             legs=legs,
         )

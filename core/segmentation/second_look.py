@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.arrays import FloatArray, IntArray
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from .aggregation import assign, contested
@@ -19,6 +19,7 @@ from .pose_evidence import evidence
 from .pose_refinement import refine
 from .pose_score import (
     AMONG_HEIGHTS,
+    SURE_ALONE,
     TypicalUnit,
     is_sparse,
     score,
@@ -30,6 +31,7 @@ from .pose_score import (
 from .raw_residuals import raw_residuals
 from .scene import Evidence, Scene
 from .segment import CLEARANCE_IN_NOISE, cloud_elements
+from .twist import settle_twist
 
 ROUNDS = 2
 """Times that the pose is refined on the elements that are nobody else's."""
@@ -49,11 +51,14 @@ class SecondLook:
         (12,) centre and rotation by rows, refined where that was asked for.
     smoothed
         Whether the points were so noisy that their elements were moved onto the surface they share; else they are sparse.
+    certainty
+        0 to 1, how far the turn about a leg is known: see :mod:`.twist`; 1 where that was not asked.
     """
 
     score: float
     pose: FloatArray
     smoothed: bool
+    certainty: float = 1.0
 
     @property
     def place(self) -> Pose:
@@ -65,11 +70,12 @@ def second_look(
     points: FloatArray,
     pose: FloatArray,
     others: FloatArray,
-    sure: BoolArray,
+    scores: FloatArray,
     unit: UnitType,
     *,
     settle: bool = True,
     rich: bool = False,
+    twist: bool = False,
 ) -> SecondLook | None:
     """Judge a (12,) pose by the (n, 3) points around it, reduced frame; None where these are rich: rock looks alike in all epochs then.
 
@@ -77,12 +83,14 @@ def second_look(
     ----------
     others
         (k, 12) poses of the units around, which have their points.
-    sure
-        (k,) whether these leave no doubt: units lie among such.
+    scores
+        (k,) of these: units lie among such as leave no doubt.
     settle
         Refine the pose; else it is judged where it is.
     rich
         Judge it by rich points as well, for what speaks against it.
+    twist
+        Ask how far its turn about a leg is known, and turn it to the middle of what is left.
     """
     if len(points) < FEWEST_POINTS:
         return None
@@ -102,13 +110,16 @@ def second_look(
         poses[own] = refine(poses[own:], scene, free & ~doubtful, most=1500, sweeps=20)[0]
     found = evidence(poses[own:], scene, free)
     near = np.linalg.norm(others[:, :3] - poses[own, :3], axis=1) < AMONG_HEIGHTS * unit.height
-    company = np.log1p([np.count_nonzero(sure & near)])
+    company = np.log1p([np.count_nonzero((scores >= SURE_ALONE) & near)])
     typical = typical_unit(found, scene) if poor else _typical_around(poses, owner, scene)
-    scores = score_in_company(score(found, tolerance, typical), found, company, tolerance, typical)
+    likely = score_in_company(score(found, tolerance, typical), found, company, tolerance, typical)
     if scene.smoothed:
         # of the units around a part is seen here: what is usual on them cannot be told
-        scores = score_with_residuals(scores, raw_residuals(points, poses, unit, cloud.thinned.noise)[own:], found.support)
-    return SecondLook(float(scores[0]), poses[own], scene.smoothed)
+        likely = score_with_residuals(likely, raw_residuals(points, poses, unit, cloud.thinned.noise)[own:], found.support)
+    settled, certainty = poses[own], 1.0
+    if twist:
+        settled, certainty = settle_twist(settled, found, others, scores, scene, owner == own, owner < 0)
+    return SecondLook(float(likely[0]), settled, scene.smoothed, certainty)
 
 
 def _typical_around(poses: FloatArray, owner: IntArray, scene: Scene) -> TypicalUnit:

@@ -78,6 +78,8 @@ class DetectedUnit:
         Largest share of its volume that lies inside a unit that was found with a higher score.
     supported
         Share of the surface elements seen near the predicted surface that lie on it with an agreeing normal, 0 to 1.
+    twist_open
+        Uncertain for nothing but the turn about a leg.
     """
 
     pose: Pose
@@ -88,6 +90,7 @@ class DetectedUnit:
     misfit: float
     interpenetration: float
     supported: float
+    twist_open: bool
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -308,6 +311,7 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
     entered = shared > (MOST_IN_NOISE if elements.smoothed else MOST_INTERPENETRATION)
     fewest = fewest_found_cells(seen, found, judged.typical)
     kept = np.flatnonzero((found >= LISTED_EVIDENCE) & (scores >= LISTED_SCORE))
+    but_for_twist = (found >= FOUND_SCORE) & (seen.cells >= fewest) & ~entered
     stated = poses[kept]
     if elements.smoothed:
         # a shared surface is drawn inwards where it bends; from there, points would be taken from one side more than from the other
@@ -319,10 +323,11 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
             score=float(scores[k]),
             coverage=float(seen.cells[k] / NUMBER_OF_CELLS),
             legs_visible=int(seen.legs[k]),
-            status="found" if scores[k] >= FOUND_SCORE and seen.cells[k] >= fewest and not entered[k] else "uncertain",
+            status="found" if scores[k] >= FOUND_SCORE and but_for_twist[k] else "uncertain",
             misfit=float(seen.misfit[k]),
             interpenetration=float(shared[k]),
             supported=float(seen.support[k] / max(seen.reached[k], 1)),
+            twist_open=bool(but_for_twist[k] and scores[k] < FOUND_SCORE),
         )
         for k, pose in zip(kept, stated, strict=True)
     )

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -44,7 +45,7 @@ ROOM_SD = 0.015
 SURELY_NOT = 1e-12
 """Likelihood below which twists are ruled out alike."""
 OPEN_TWIST = np.radians(10)
-"""Standard deviation of the twist above which its mean is taken, not what chance aligned."""
+"""Standard deviation of the twist, or its mean, above which the mean is taken, not what chance aligned."""
 FEATURE_TOLERANCE = 0.15
 """Mean error of the feature points, in heights, within which a pose counts as known."""
 SAME_AXIS = np.radians(12)
@@ -99,26 +100,67 @@ def settle_twists(poses: FloatArray, found: Evidence, sure: BoolArray, scene: Sc
     few = np.flatnonzero(found.legs <= FEW_LEGS)
     # units that stand in the way, and how far each is known to be where it seems to be
     standing = {int(k): 1.0 for k in np.flatnonzero(sure & (found.legs > FEW_LEGS))}
-    leg = {int(k): _main_leg(poses[k], scene.points[owner == k], unit, scene.tolerance) for k in few}
-    twisted = {k: evidence(_turned(poses[k], leg[k], ANGLES, unit), scene, (owner == k) | (owner < 0)) for k in leg}
-    values = {k: worth(found) for k, found in twisted.items()}
+    turns = {int(k): _turns(poses[k], scene, owner == k, owner < 0) for k in few}
     # units that their own points settle stand in the way of those that need the room to be settled
-    alone = {k: twist_of(values[k], np.zeros(STEPS), unit) for k in leg}
-    for k in sorted(leg, key=lambda k: (alone[k].sd, k)):
+    alone = {k: twist_of(worth(own.found), np.zeros(STEPS), unit) for k, own in turns.items()}
+    for k in sorted(turns, key=lambda k: (alone[k].sd, k)):
         near = [j for j in standing if np.sum((poses[j, :3] - poses[k, :3]) ** 2) < (2 * unit.reach) ** 2]
-        twists = _turned(poses[k], leg[k], ANGLES, unit)
-        entered = np.array([[overlap(pose, poses[j], unit) for j in near] for pose in twists]).reshape(STEPS, len(near))
-        trusted = entered_by_trust(entered, np.array([standing[j] for j in near]))
-        known = twist_of(values[k], trusted, unit)
-        if known.sd > OPEN_TWIST:
-            poses[k] = _turned(poses[k], leg[k], np.array([known.mean]), unit)[0]
-        rival = _best_rival(poses[k], leg[k], poses[near], scene, owner == k, owner < 0)
-        margin = (1 - rival / max(float(log_likelihood(twisted[k], scene.tolerance).max()), 1e-9)) / RIVAL_MARGIN
-        sure_of = twist_of(values[k], trusted, unit, ALIGNED)
-        certainty[k] = min(sure_of.certainty, float(np.clip(margin, 0, 1)))
+        trust = np.array([standing[j] for j in near])
+        poses[k], certainty[k] = _settled(turns[k], poses[near], trust, scene, owner == k, owner < 0)
         if sure[k] and certainty[k] > 0.5:
             standing[int(k)] = float(certainty[k])
     return poses, certainty
+
+
+def settle_twist(
+    pose: FloatArray, found: Evidence, others: FloatArray, trust: FloatArray, scene: Scene, own: BoolArray, free: BoolArray
+) -> tuple[FloatArray, float]:
+    """The same of a single (12,) pose: where the twists left to it are, and how far it is known.
+
+    Parameters
+    ----------
+    found
+        The evidence for it alone.
+    others, trust
+        (k, 12) units around it, and how far each is known to be where it seems to be, (k,) 0 to 1.
+    own, free
+        (m,) whether an element was assigned to it, and to no unit.
+    """
+    if found.legs[0] > FEW_LEGS:
+        return pose, 1.0
+    near = np.sum((others[:, :3] - pose[:3]) ** 2, axis=1) < (2 * scene.unit.reach) ** 2
+    return _settled(_turns(pose, scene, own, free), others[near], trust[near], scene, own, free)
+
+
+class _Turns(NamedTuple):
+    """A (12,) pose turned about its main leg by ``ANGLES``, (STEPS, 12), and the evidence for each."""
+
+    pose: FloatArray
+    leg: int
+    twists: FloatArray
+    found: Evidence
+
+
+def _turns(pose: FloatArray, scene: Scene, own: BoolArray, free: BoolArray) -> _Turns:
+    leg = _main_leg(pose, scene.points[own], scene.unit, scene.tolerance)
+    twists = _turned(pose, leg, ANGLES, scene.unit)
+    return _Turns(pose, leg, twists, evidence(twists, scene, own | free))
+
+
+def _settled(
+    turns: _Turns, others: FloatArray, trust: FloatArray, scene: Scene, own: BoolArray, free: BoolArray
+) -> tuple[FloatArray, float]:
+    """The pose in the middle of the twists that its elements and (k, 12) units around leave to it, and how far it is known."""
+    unit, values, pose = scene.unit, worth(turns.found), turns.pose
+    entered = np.array([[overlap(twist, other, unit) for other in others] for twist in turns.twists]).reshape(STEPS, len(others))
+    trusted = entered_by_trust(entered, trust)
+    known = twist_of(values, trusted, unit)
+    if max(known.sd, abs(known.mean)) > OPEN_TWIST:
+        pose = _turned(pose, turns.leg, np.array([known.mean]), unit)[0]
+    rival = _best_rival(pose, turns.leg, others, scene, own, free)
+    margin = (1 - rival / max(float(log_likelihood(turns.found, scene.tolerance).max()), 1e-9)) / RIVAL_MARGIN
+    sure_of = twist_of(values, trusted, unit, ALIGNED)
+    return pose, min(sure_of.certainty, float(np.clip(margin, 0, 1)))
 
 
 def entered_by_trust(entered: FloatArray, trust: FloatArray) -> FloatArray:

@@ -189,7 +189,7 @@ def test_a_pose_is_judged_where_it_is_or_settled() -> None:
     points, _ = noisy_pile(rng)
     aside = POSE.shifted(np.array([0.03, 0.0, 0.0]) * UNIT.height)
     row = np.concatenate([aside.centre, aside.rotation.ravel()])
-    left, drawn = (second_look(points, row, np.zeros((0, 12)), np.zeros(0, dtype=bool), UNIT, settle=settle) for settle in (False, True))
+    left, drawn = (second_look(points, row, np.zeros((0, 12)), np.zeros(0), UNIT, settle=settle) for settle in (False, True))
     assert left is not None
     assert drawn is not None
     assert np.array_equal(left.pose, row)
