@@ -32,11 +32,8 @@ def discs_shown(problem: Problem, state: UnitState, points: PointStates, scale: 
     length, tolerance = problem.prior.leg_length, problem.prior.sds[8]
     noise = scale * float(np.mean(points.sds[np.isfinite(points.residuals)]))
     rim = max(state.shape[0] - state.shape[1] * length - problem.edge, 0.0)
-    axial = body @ problem.legs.directions.T
-    beside = np.einsum("ij,ij->i", body, body)[:, None] - axial**2 < rim**2
     discs = state.discs.copy()
-    beyond = axial - length
-    near = beside & (np.abs(beyond) < (1 - TIP_RATIO) * length + 3 * noise)
+    beyond, near = beyond_ends(body, problem.legs.directions, length, rim, noise)
     if len(problem.given):
         near &= problem.given[:, None] == np.arange(4)
     counts = near.sum(axis=0).tolist()
@@ -44,14 +41,44 @@ def discs_shown(problem: Problem, state: UnitState, points: PointStates, scale: 
     for k, count in enumerate(counts):
         if count < 2 * MIN_POINTS:
             continue
-        lengths = beyond[near[:, k], k]
-        middle = _median(lengths)
+        middle = plane_beyond(beyond[near[:, k], k], noise)
         discs[k] = False
-        if MAD_TO_SD * _median(np.abs(lengths - middle)) < 1.5 * noise:
-            shifts = shifts or np.minimum(SURELY * _sds_along_legs(problem, state, equations), MOST_SHIFT * problem.unit.height).tolist()
-            off = SURELY * math.hypot(tolerance, 1.5 * noise / math.sqrt(count))
-            discs[k] = abs(middle) < math.hypot(off, shifts[k])
+        if middle is not None:
+            shifts = shifts or _sds_along_legs(problem, state, equations).tolist()
+            discs[k] = abs(middle) < most_beyond(problem.unit.height, tolerance, shifts[k], noise / math.sqrt(count))
     return discs
+
+
+def beyond_ends(body: FloatArray, directions: FloatArray, length: float, rim: float, noise: float) -> tuple[FloatArray, BoolArray]:
+    """(n, k) how far (n, 3) points (body frame) lie beyond the ends of legs with (k, 3) ``directions``, and whether they may lie on these.
+
+    They do within ``rim`` of the axis and no farther from the end than tips are rounded; metres.
+    """
+    axial = body @ directions.T
+    beside = np.einsum("ij,ij->i", body, body)[:, None] - axial**2 < rim**2
+    beyond = axial - length
+    return beyond, beside & (np.abs(beyond) < (1 - TIP_RATIO) * length + 3 * noise)
+
+
+def plane_beyond(lengths: FloatArray, noise: float) -> float | None:
+    """Where points that lie (n,) ``lengths`` beyond the end of a leg have a plane across it; None where they are too few or too thick."""
+    if len(lengths) < 2 * MIN_POINTS:
+        return None
+    middle = _median(lengths)
+    return middle if MAD_TO_SD * _median(np.abs(lengths - middle)) < 1.5 * noise else None
+
+
+def most_beyond(height: float, length_sd: float, shift_sd: float, mean_sd: float) -> float:
+    """How far from its nominal place an end disc may seem to lie, metres, and still be in place.
+
+    Parameters
+    ----------
+    height
+        Of the unit.
+    length_sd, shift_sd, mean_sd
+        Standard deviations of the leg's length, of the unit's place along it, and of the mean of the points but for their roughness.
+    """
+    return math.hypot(SURELY * math.hypot(length_sd, 1.5 * mean_sd), min(SURELY * shift_sd, MOST_SHIFT * height))
 
 
 def _median(values: FloatArray) -> float:

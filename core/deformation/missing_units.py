@@ -254,17 +254,16 @@ def _answered(
     for key in order:
         epoch, reference, *_ = key
         known = tuple(seen[unit][reference] for unit in wanted[key])
-        centres = np.array([unit.pose.centre for unit in known])
-        moves = places.shifts(reference, epoch, centres)
+        asked = places.asked(reference, epoch, known, 2 * reach)
         questions.append(
             MissingUnits(
                 units=known,
-                moves=moves,
+                moves=asked.moves,
                 rivals=tuple(seen[unit].get(epoch) if seen[unit][reference].certain else None for unit in wanted[key]),
-                owners=places.owners(epoch, centres + moves, 2 * reach),
-                beside=places.owners(reference, centres, 2 * reach),
-                now=surroundings(epoch, centres + moves, reach),
-                before=surroundings(reference, centres, reach),
+                owners=asked.owners,
+                beside=asked.beside,
+                now=surroundings(epoch, asked.there, reach),
+                before=surroundings(reference, asked.here, reach),
                 reach=reach,
                 height=height,
             )

@@ -142,16 +142,15 @@ def _answered(
     for key in sorted(wanted):
         epoch, reference, *_ = key
         known = tuple(seen[unit][reference] for (unit, _), _ in wanted[key])
-        centres = np.array([unit.pose.centre for unit in known])
-        moves = places.shifts(reference, epoch, centres)
+        asked = places.asked(reference, epoch, known, 2 * reach)
         questions.append(
             OpenTwists(
                 units=known,
-                moves=moves,
-                owners=places.owners(epoch, centres + moves, 2 * reach),
-                beside=places.owners(reference, centres, 2 * reach),
-                now=surroundings(epoch, centres + moves, reach),
-                before=surroundings(reference, centres, reach),
+                moves=asked.moves,
+                owners=asked.owners,
+                beside=asked.beside,
+                now=surroundings(epoch, asked.there, reach),
+                before=surroundings(reference, asked.here, reach),
                 reach=reach,
             )
         )

@@ -18,6 +18,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import permutations
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -36,6 +38,7 @@ from ..model.tetrapod import TIP_RATIO, leg_frame
 from ..model.unit_types import UnitType
 from ..registration.shift_samples import axis_of
 from .cast_surfaces import CastSurfaces
+from .ends_in_epochs import ends_shown, way_to_ends
 from .joint_records import JointAdjustment, UnitSighting
 from .streamed_median import StreamedMedian
 from .strip_drifts import DriftSystem, Knots, StripDrifts, UnitEquations
@@ -50,6 +53,13 @@ CONVERGED = 0.01
 
 LEARNING_ITERATIONS = (1, 3)
 """After which the surfaces of the units are learned, with the poses as they are then."""
+
+END_ITERATIONS = (1, 3)
+"""Before which the ends of legs are looked at again, with the poses as they are then."""
+
+MORE_POINTS, CHANCE_SDS = 1.1, 3.0
+"""By what factor, and how many standard deviations of their number beyond it, more points of a sighting must lie on its unit where another
+one has it than where its own fit does."""
 
 OPEN_TURN = math.pi / AZIMUTH_CELLS
 """Standard deviation of a turn, half the width of a cell, from which it is not known which cells of a leg a sighting shows."""
@@ -91,6 +101,14 @@ class UnitReduction(NamedTuple):
     block: UnitBlock
     surface: Eliminated
     cells: list[CellSums]
+
+
+class SecondLooks(NamedTuple):
+    """By sighting the (3, 3) covariance of its centre, and by two epochs how far units lie elsewhere in the second, (3,) median of those
+    that both show, where a sighting may begin at another's pose; metres."""
+
+    covariances: dict[int, FloatArray]
+    shifts: dict[tuple[int, int], FloatArray] | None
 
 
 class _JointSolver:
@@ -140,14 +158,17 @@ class _JointSolver:
         return [self.observe(k, cloud, float(noise[self.sightings[k].epoch]), derived) for k, cloud in parts]
 
     def observe(self, number: int, cloud: ReadCloud, noise: float, derived: bool) -> StripObservations:
-        s = self.sightings[number]
-        unit = s.shape
-        grown = 1 + self.scales[s.unit]
-        margin = 0.03 * unit.radius if math.isnan(noise) else max(1.5 * noise, 0.01 * unit.radius)
+        s, body = self.sightings[number], self.body_of(number)
         points, sources = cloud
-        offsets = self.offsets_at(s.unit)
         strips = _table(s.cloud.ids, self.strips_of[number])[sources]
-        body = Body(
+        tip, margin = TIP_RATIO * body.length, _margin(s.shape, noise)
+        return observations(points, strips, self.offsets_at(s.unit), body, margin=margin, tip=tip, derived=derived)
+
+    def body_of(self, number: int) -> Body:
+        """The unit as a sighting shows it at the present estimates."""
+        s = self.sightings[number]
+        unit, grown = s.shape, 1 + self.scales[s.unit]
+        return Body(
             centre=self.centres[number],
             rotation=self.rotations[number],
             axes=np.ascontiguousarray(unit.leg_directions),
@@ -157,8 +178,6 @@ class _JointSolver:
             gradient=unit.gradient,
             length=unit.leg_length * grown,
         )
-        tip = TIP_RATIO * unit.leg_length * grown
-        return observations(points, strips, offsets, body, margin=margin, tip=tip, derived=derived)
 
     def estimate_noise(self) -> None:
         """Noise by epoch from residuals less their patch's mean; spread of the patches beyond what noise explains."""
@@ -263,14 +282,15 @@ class _JointSolver:
 
     def iterate(self) -> tuple[dict[int, UnitBlock], StripSystem]:
         """Adjust poses, sizes and strips to convergence; blocks of the units and system of the strips of the last step."""
+        blocks: dict[int, UnitBlock] = {}
         for iteration in range(MAX_ITERATIONS):
             before = self.noise.copy()
             if iteration < 4:
                 self.estimate_noise()
             # those of the last step go before the next ones come: two sets would be twice the memory
-            blocks: dict[int, UnitBlock] = {}
+            looks, blocks = self.second_looks(iteration, blocks), {}
             # the noise is known better by now, but it must judge the points that it was estimated from
-            blocks = self.reduce(before)
+            blocks = self.reduce(before, looks)
             if iteration in LEARNING_ITERATIONS:
                 for surface in self.surfaces.values():
                     surface.learn()
@@ -290,10 +310,75 @@ class _JointSolver:
                 break
         return blocks, strips
 
-    def reduce(self, noise: FloatArray) -> dict[int, UnitBlock]:
-        """Eliminate the units, observed with the ``noise`` by epoch: their blocks, and what each says of its strips."""
+    def look_again(self, unit: int, clouds: Sequence[ReadCloud], looks: SecondLooks) -> None:
+        """Use end discs that the points of a unit in several epochs show at its present poses, if not at those of their own fits.
+
+        A sighting begins where another one has the unit, at rest, if clearly more of its points lie on it there: a fit to few points may
+        settle where most of them lie beside the unit, and robust weights never see these again.
+        """
+        own = self.order[unit]
+        if len(own) < 2:
+            return
+        for k, cloud in zip(own, clouds, strict=True):
+            if not self.open[k]:
+                self.use_ends(k, cloud, looks.covariances[k])
+        if looks.shifts is None:
+            return
+        counts = [self.points_on(k, cloud) for k, cloud in zip(own, clouds, strict=True)]
+        best = own[int(np.argmax(counts))]
+        for k, cloud, count in zip(own, clouds, counts, strict=True):
+            if k != best:
+                before = self.centres[k], self.rotations[k], self.sightings[k]
+                self.centres[k] = self.centres[best] + looks.shifts[self.sightings[best].epoch, self.sightings[k].epoch]
+                self.rotations[k] = self.rotations[best].copy()
+                self.use_ends(k, cloud, looks.covariances[k])
+                if self.points_on(k, cloud) <= MORE_POINTS * count + CHANCE_SDS * math.sqrt(count):
+                    self.centres[k], self.rotations[k], self.sightings[k] = before
+
+    def use_ends(self, number: int, cloud: ReadCloud, covariance: FloatArray) -> None:
+        """Use what the points of a sighting show of ends of legs; ``covariance`` (3, 3) of its centre, square metres."""
+        s, (points, sources) = self.sightings[number], cloud
+        if s.discs.all() or not len(points):
+            return
+        body, noise = self.body_of(number), float(self.noise[s.epoch])
+        points = points - self.offsets_at(s.unit)[_table(s.cloud.ids, self.strips_of[number])[sources]]
+        shown = ends_shown(points, body, covariance, s.shape.height, _margin(s.shape, noise), noise)
+        self.sightings[number] = replace(s, discs=s.discs | np.isfinite(shown))
+        self.centres[number] = self.centres[number] + way_to_ends(shown, body, noise)
+
+    def points_on(self, number: int, cloud: ReadCloud) -> int:
+        """How many points of a sighting lie on its unit."""
+        noise = float(self.noise[self.sightings[number].epoch])
+        seen = self.observe(number, cloud, noise, derived=False)
+        return int(np.count_nonzero((seen.patches >= 0) & (np.abs(seen.residuals) < TUKEY * noise)))
+
+    def second_looks(self, iteration: int, blocks: Mapping[int, UnitBlock]) -> SecondLooks | None:
+        """What the looks before a step need to know of the step before, whose ``blocks`` are let go then; None where none is taken."""
+        if iteration not in END_ITERATIONS:
+            return None
+        covariances: dict[int, FloatArray] = {}
+        for unit, block in blocks.items():
+            inverse = block.inverse
+            covariances |= {k: inverse[6 * i : 6 * i + 3, 6 * i : 6 * i + 3].copy() for i, k in enumerate(self.order[unit])}
+        if iteration != END_ITERATIONS[0]:
+            return SecondLooks(covariances, None)
+        ways: dict[tuple[int, int], list[FloatArray]] = {}
+        for own in self.order.values():
+            for a, b in permutations(own, 2):
+                ways.setdefault((self.sightings[a].epoch, self.sightings[b].epoch), []).append(self.centres[b] - self.centres[a])
+        return SecondLooks(covariances, {epochs: np.median(own, axis=0) for epochs, own in ways.items()})
+
+    def reduce(self, noise: FloatArray, looks: SecondLooks | None) -> dict[int, UnitBlock]:
+        """Eliminate the units, looked at again if asked for and observed with the ``noise`` by epoch: their blocks, and what each says of
+        its strips."""
+
+        def reduced(item: tuple[int, list[ReadCloud]]) -> tuple[int, UnitReduction]:
+            if looks is not None:
+                self.look_again(*item, looks)
+            return item[0], self.equations(item[0], self.observed(*item, noise))
+
         blocks = {}
-        reductions = side_by_side(lambda item: (item[0], self.equations(item[0], self.observed(*item, noise))), self.clouds())
+        reductions = side_by_side(reduced, self.clouds())
         for unit, reduction in reductions:
             surface = self.surfaces[self.sightings[self.order[unit][0]].shape]
             surface.keep(unit, self.scales[unit], reduction.surface, reduction.cells, len(reduction.block.rhs))
@@ -370,6 +455,11 @@ class _JointSolver:
             else StripDrifts(knots=self.knots, numbers=self.strips, values=self.values.drifts, places=self.place_of),
             surfaces={shape: surface.model for shape, surface in self.surfaces.items()},
         )
+
+
+def _margin(unit: UnitType, noise: float) -> float:
+    """Distance of creases and rims, metres, within which points are left out; the noise of a point may be unknown (nan)."""
+    return 0.03 * unit.radius if math.isnan(noise) else max(1.5 * noise, 0.01 * unit.radius)
 
 
 def _table(keys: NDArray[np.integer], values: IntArray) -> IntArray:

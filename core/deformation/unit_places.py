@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -12,6 +13,16 @@ from .fitted_unit import FittedUnit
 
 NEIGHBOURS = 9
 """Units whose median motion says where a unit would be that one epoch does not show."""
+
+
+class Asked(NamedTuple):
+    """Units that are asked for in another epoch: (k, 3) places here and there, moves of the cloud, certain units around, there and here."""
+
+    here: FloatArray
+    there: FloatArray
+    moves: FloatArray
+    owners: tuple[FittedUnit, ...]
+    beside: tuple[FittedUnit, ...]
 
 
 class UnitPlaces:
@@ -26,6 +37,13 @@ class UnitPlaces:
         """Certain units of an epoch within a distance of (k, 3) places."""
         near = sorted({k for around in self._trees[epoch].query_ball_point(places, reach) for k in around})
         return tuple(self._certain[epoch][k] for k in near)
+
+    def asked(self, reference: int, epoch: int, units: Sequence[FittedUnit], reach: float) -> Asked:
+        """Units as a reference shows them, to be asked for in another epoch, with certain ones within a distance."""
+        centres = np.array([unit.pose.centre for unit in units])
+        moves = self.shifts(reference, epoch, centres)
+        there = centres + moves
+        return Asked(centres, there, moves, self.owners(epoch, there, reach), self.owners(reference, centres, reach))
 
     def shifts(self, first: int, second: int, places: FloatArray) -> FloatArray:
         """(k, 3) shift between two epochs' clouds at (k, 3) places: the median of the nearest units that both show, or the common one."""
