@@ -454,7 +454,16 @@ def test_sizes_of_sure_units_are_held_against_what_castings_differ_by() -> None:
     scales = dict(enumerate([*np.random.default_rng(2).normal(0, 0.002, 20), 0.02]))
     joint = cast(
         JointAdjustment,
-        SimpleNamespace(scales=scales, scale_sds=dict.fromkeys(scales, 1e-4), surfaces={UNIT: SimpleNamespace(size_sd=0.003)}),
+        SimpleNamespace(
+            scales=scales,
+            scale_sds=dict.fromkeys(scales, 1e-4),
+            surfaces={UNIT: SimpleNamespace(size_sd=0.003)},
+            noise=np.array([0.01, np.nan]),
+        ),
     )
     for sure, odd in ((False, {20}), (True, set())):
         assert odd_sizes(joint, np.zeros(21, dtype=np.int64), [UNIT], np.full(21, sure)) == odd
+    # points of other surfaces within the noise draw a size by as much
+    for share, odd in ((0.021, set()), (0.004, {20})):
+        joint.noise[0] = share * UNIT.height
+        assert odd_sizes(joint, np.zeros(21, dtype=np.int64), [UNIT], np.full(21, False)) == odd
