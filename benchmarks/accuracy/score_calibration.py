@@ -8,8 +8,8 @@ with less than 5 % of their surface seen, and poses whose twist no leg determine
 of their own, fitted to thinned and noised copies (``poor_copies.py``) of surveys and of rock. With ``--among`` the sure units around
 a pose, sure by the weights fitted first, are a feature too, and the misfit typical of the cloud is none: those are the weights of clouds
 whose noise was taken off. With ``--bridged`` what the rich model says, extent and support are the features, of surveys simulated with
-``--bridging`` and of rock. With ``--residuals`` they are what the score says without the raw points and how these lie to the pose, of
-clouds whose noise was taken off.
+``--bridging`` and of rock; where neighbours share their noise the noisy model stands for the rich one. With ``--residuals`` they are what
+the score says without the raw points and how these lie to the pose, of clouds whose noise was taken off.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ from tetratrack.core.segmentation.pose_score import (
     SURE_ALONE,
     among_feature,
     bridged_features,
+    matched_features,
     residual_features,
     score_among,
     score_features,
@@ -92,7 +93,8 @@ def _features(judged: JudgedPoses, unit: UnitType, kind: str) -> np.ndarray:
             raise SystemExit("raw residuals are of clouds whose noise was taken off")
         scores = score_among(judged.evidence, judged.poses[:, :3], judged.tolerance, judged.typical, unit)
         return residual_features(scores, judged.residuals, judged.evidence.support)
-    return (bridged_features if kind == "bridged" else score_features)(judged.evidence, judged.tolerance, judged.typical)
+    bridged = matched_features if judged.elements.shared_noise else bridged_features
+    return (bridged if kind == "bridged" else score_features)(judged.evidence, judged.tolerance, judged.typical)
 
 
 def _truth(folder: Path, label: str) -> list[tuple[np.ndarray, np.ndarray, float]]:

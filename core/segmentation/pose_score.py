@@ -80,8 +80,16 @@ def score_features(found: Evidence, tolerance: float, typical: TypicalUnit) -> F
 
 def bridged_features(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
     """(k, 3) what the score is made of where gaps are bridged: log-odds of the rich model as far as believed, extent and support."""
-    rich = replace(typical, model=RICH)
-    log_odds = _log_odds(RICH.alone, score_features(found, tolerance, rich), found, tolerance, rich)
+    return _explained(RICH, found, tolerance, typical)
+
+
+def matched_features(found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    """(k, 3) the same where neighbours share their noise, with the log-odds of the noisy model."""
+    return _explained(NOISY, found, tolerance, typical)
+
+
+def _explained(model: ScoreModel, found: Evidence, tolerance: float, typical: TypicalUnit) -> FloatArray:
+    log_odds = _log_odds(model.alone, model.features(found, tolerance, typical), found, tolerance, replace(typical, model=model))
     return np.column_stack([np.clip(log_odds, -MOST_LOG_ODDS, MOST_LOG_ODDS), np.log1p(found.cells), np.log1p(found.support)])
 
 
@@ -110,11 +118,15 @@ LAYERED = ScoreModel(Weights(-8.75, (0.35, 1.44, 0.96)), None, False, bridged_fe
 """Of the same where the layers that bridge gaps were taken off, in rich and in sparse clouds: what is left of them beside surfaces says
 little, and extent and support the more. Fitted to three epochs of two simulated piles and to rock (``docs/benchmarks.md``); held out by
 epoch 122 of 132 right poses have 0.65 or more (115 with the weights for bridged clouds)."""
+MATCHED = ScoreModel(Weights(-19.90, (0.70, 3.64, 1.08)), None, False, matched_features)
+"""Of :func:`matched_features`, where matching noise that neighbours share leaves the tolerance wide: rock lies within it often, and what
+tells a unit is how much of one a pose explains."""
 BRIDGED_SHARE = 0.92
 """Share of the elements near the best supported poses that lie on their surfaces, below which gaps are bridged: 0.97 and more in simulated
 surveys by laser and by images matched ideally, 0.75 to 0.83 where hollows of 5 to 15 cm are bridged, 0.86 on real units by images."""
 MOST_LOG_ODDS = 6.0
-"""Of the rich model, that a bridged cloud believes; of the smoothed one, that raw points believe."""
+"""Of the rich model, that a bridged cloud believes, of the noisy one, that a cloud of shared noise does; of the smoothed one, that raw
+points believe."""
 WITH_RESIDUALS = Weights(-17.57, (0.84, -2.24, 4.94, -2.69, 0.73))
 """Of :func:`residual_features`, in noise of 3.3 and 1.3 % of the height: at 2.1 % they hold as well."""
 MOST_WITHIN = 1.15
@@ -154,6 +166,8 @@ def is_sparse(scene: Scene) -> bool:
 def _model_for(scene: Scene) -> ScoreModel:
     if scene.smoothed:
         return SMOOTHED
+    if scene.shared_noise:
+        return MATCHED
     if scene.layered:
         return LAYERED
     if is_sparse(scene):

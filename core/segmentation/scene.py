@@ -44,6 +44,8 @@ class Scene:
         Whether noise was taken off the points (:mod:`.smoothed_surface`).
     layered
         Whether layers before the surface were (:mod:`.innermost_layer`).
+    shared_noise
+        Whether neighbours share their noise (:mod:`.shared_noise`).
     """
 
     points: FloatArray
@@ -57,6 +59,7 @@ class Scene:
     spacing: float = 0.0
     smoothed: bool = False
     layered: bool = False
+    shared_noise: bool = False
 
     @classmethod
     def of(cls, elements: SurfaceElements, unit: UnitType, tolerance: float) -> Scene:
@@ -73,6 +76,7 @@ class Scene:
             spacing=elements.spacing,
             smoothed=elements.smoothed,
             layered=elements.layered,
+            shared_noise=elements.shared_noise,
         )
 
 

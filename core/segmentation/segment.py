@@ -19,6 +19,7 @@ from .pose_refinement import refine
 from .pose_score import SPARSE, SURE_ALONE, TypicalUnit, is_sparse, score, score_among, score_with_residuals, typical_unit, where_bridged
 from .raw_residuals import raw_residuals
 from .scene import COLUMNS, Evidence, Scene
+from .shared_noise import neighbours_share_noise
 from .smoothed_surface import NOISY_RATIO, smoothed
 from .surface_elements import SurfaceElements, surface_elements
 from .twist import log_likelihood, settle_twists
@@ -51,9 +52,12 @@ FEWEST_FOUND_CELLS = 8
 were rock that fits by chance, one of 1980 others was. Where another epoch shows the unit, that makes it found."""
 ELEMENTS_OF_DENSE_CELL = 18.0
 """Supporting elements per cell of sure units in the clouds on which these were counted; see :func:`fewest_found_cells`."""
+SHARED_RATIO = 0.02
+"""Tolerance that the noise asks for, as a share of the height, beyond which it is asked whether neighbours share it."""
 MOST_INTERPENETRATION, MOST_IN_NOISE = 0.01, 0.02
 """Share of its volume by which the weaker of two units may enter the stronger and still be stated as found, the second where noise was
-taken off the elements: poses are less exact there, and in noise of 3.3 % of the height units that touch seem to enter each other so far."""
+taken off the elements or neighbours share it: poses are less exact there, and in noise of 3.3 % of the height units that touch seem to
+enter each other so far."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -242,8 +246,12 @@ def cloud_elements(points: FloatArray, unit: UnitType, *, workers: int = -1) -> 
     else:
         points = np.ascontiguousarray(points[kept])
         thinned = replace(surface_elements(points, unit.height, workers=workers), layered=True)
-    noisy = 2.5 * thinned.element_noise > NOISY_RATIO * unit.height
-    elements = smoothed(points, thinned, unit.height) if noisy else thinned
+    tolerance = 2.5 * thinned.element_noise
+    elements = thinned
+    if tolerance > SHARED_RATIO * unit.height and neighbours_share_noise(points, thinned.points, unit.height, thinned.noise):
+        elements = replace(thinned, shared_noise=True)
+    elif tolerance > NOISY_RATIO * unit.height:
+        elements = smoothed(points, thinned, unit.height)
     return CloudElements(kept, points, thinned, elements, max(2.5 * elements.element_noise, 0.008 * unit.height))
 
 
@@ -308,7 +316,7 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
         stronger = np.flatnonzero((scores >= FOUND_SCORE) & (scores > scores[k]))
         for j in stronger[np.sum((poses[stronger, :3] - poses[k, :3]) ** 2, axis=1) < (2 * unit.reach) ** 2]:
             shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
-    entered = shared > (MOST_IN_NOISE if elements.smoothed else MOST_INTERPENETRATION)
+    entered = shared > (MOST_IN_NOISE if elements.smoothed or elements.shared_noise else MOST_INTERPENETRATION)
     fewest = fewest_found_cells(seen, found, judged.typical)
     kept = np.flatnonzero((found >= LISTED_EVIDENCE) & (scores >= LISTED_SCORE))
     but_for_twist = (found >= FOUND_SCORE) & (seen.cells >= fewest) & ~entered

@@ -93,7 +93,7 @@ def _patches(first: int, last: int, points: Any, every: Any, places: Any, radius
                 # lengths in radii from here on
                 local[j, a] = (points[near[j], a] - places[i, a]) / radius
         axes = tangent_axes(local)
-        solution, covariance, weight = _quadric(local, axes, noise / radius)
+        solution, covariance, weight = robust_quadric(local, axes, noise / radius)
         if weight < FEWEST_WEIGHT or abs(solution[0]) * radius > FARTHEST_IN_NOISE * noise:
             continue
         slope = 1.0 / np.sqrt(1.0 + solution[1] ** 2 + solution[2] ** 2)
@@ -145,7 +145,7 @@ def quadric_terms(local: Any, axes: Any) -> Any:
 
 
 @kernel()
-def _quadric(local: Any, axes: Any, noise: float) -> Any:
+def robust_quadric(local: Any, axes: Any, noise: float) -> Any:
     """Height over the tangent plane as (6,) coefficients of 1, u, v, uu, uv, vv, their (6, 6) covariance by unit noise, sum of weights."""
     m = len(local)
     design, across = quadric_terms(local, axes)

@@ -64,6 +64,8 @@ class SurfaceElements:
         Whether the points were moved onto the surface that the points around share (:mod:`.smoothed_surface`).
     layered
         Whether layers before the surface were taken off (:mod:`.innermost_layer`).
+    shared_noise
+        Whether neighbours share their noise (:mod:`.shared_noise`), so that no smoothing takes it off.
     """
 
     points: FloatArray
@@ -75,6 +77,7 @@ class SurfaceElements:
     normal_radius: float
     smoothed: bool = False
     layered: bool = False
+    shared_noise: bool = False
 
 
 def surface_elements(points: FloatArray, height: float, *, workers: int = -1) -> SurfaceElements:
