@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property, lru_cache
 from itertools import permutations
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -69,6 +69,13 @@ class UnitType:
             raise ValueError(f"unit opening must be 'tetrahedral' or 'paper', got {self.opening!r}")
         if self.end_radius <= 0:
             raise ValueError("unit legs would taper to a point before their end: gradient or leg_length is too large")
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What a copy for another process takes along: the values, and not what was derived from them.
+
+        Copied arrays could be written to, and loops would be compiled anew for them; a process makes its own, which all units share.
+        """
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @classmethod
     def tetrapod(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import numpy as np
 import pytest
 from tetratrack.core.model.unit_types import UnitType
@@ -32,3 +34,15 @@ def test_each_leg_of_the_papers_unit_takes_the_place_of_leg_1_once():
     apart = np.degrees(np.arccos(np.clip(np.max(PAPER.leg_directions @ first, axis=1), -1, 1)))
     assert apart.max() < 18
     assert np.allclose(np.linalg.det(PAPER.numberings), 1)
+
+
+@pytest.mark.parametrize("unit", [REGULAR, PAPER])
+def test_a_copy_for_another_process_makes_its_own_arrays_which_loops_are_compiled_for(unit):
+    used = {name: getattr(unit, name) for name in ("leg_directions", "symmetries", "numberings")}
+    copy = pickle.loads(pickle.dumps(unit))  # noqa: S301
+    assert copy == unit
+    for name, array in used.items():
+        other = getattr(copy, name)
+        assert np.array_equal(other, array)
+        # numba compiles a loop once more for arrays that can be written to
+        assert other.flags.writeable == array.flags.writeable, name
