@@ -18,10 +18,15 @@ class Question(Protocol):
         ...
 
 
-Ask = Callable[[Sequence[Question]], Iterable[Answer]]
-"""Answers to questions, in their order."""
+class Ask(Protocol):
+    """Answers to questions, in their order; ``beside`` is work of the caller's own meanwhile."""
+
+    def __call__(self, questions: Sequence[Question], beside: Callable[[], None] = lambda: None) -> Iterable[Answer]:
+        """Answers, each read or found as it is asked for."""
+        ...
 
 
-def answered_here(questions: Sequence[Question]) -> Iterable[Answer]:
+def answered_here(questions: Sequence[Question], beside: Callable[[], None] = lambda: None) -> Iterable[Answer]:
     """Answers by this process, one after the other."""
+    beside()
     return (question.answer() for question in questions)

@@ -6,7 +6,7 @@ Everything here is in the control frame less one reduction point.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -14,19 +14,19 @@ import numpy as np
 from scipy.linalg import block_diag
 
 from ..common.arrays import FloatArray
-from ..common.kernels import side_by_side
 from ..model.feature_points import FEATURES, FeaturePoints, feature_points
 from ..model.mould import Mould
 from ..model.unit_types import UnitType
 from ..registration.frame_field import LocalMotions
 from ..registration.transformation import Transformation
 from .chained_frames import chained_errors
+from .checked_units import checks_of, cross_check_questions
 from .congruence import PoseCalibration
-from .cross_check import CrossCheck, cross_check
+from .cross_check import CrossCheck
 from .displacement import SECONDS_PER_YEAR, FramePart, Velocity, velocity
 from .elastic_congruence import FrameTie
 from .epoch_frames import EpochFrames, FrameChoice, estimate_frames
-from .epoch_pairs import EpochPair, TrackedUnits, compare_epochs, joint_block, shifts_between, unit_shape
+from .epoch_pairs import EpochPair, TrackedUnits, compare_epochs, shifts_between, unit_shape
 from .evidence_of_epochs import SAME_PLACE_HEIGHTS
 from .fitted_unit import FittedUnit
 from .identity import FoundUnits, Track, identify
@@ -39,7 +39,6 @@ from .relocation import join_relocated
 from .shared_twists import settle_together
 from .strip_offsets import adjust_jointly
 from .tracked_epoch import TrackedEpoch, TrackedUnit
-from .unit_clouds import by_home
 from .unit_states import SURE_SCORE, doubted_where_open, odd_sizes, states_of
 
 
@@ -149,10 +148,13 @@ def track(
     tracked = [states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
     known = TrackedUnits(types=units, tracks=tracks, states=tracked, joint=joint, numbers=numbers)
     frames = _frames(known, epochs, frame)
-    known, pairs = _settled(known, epochs, frames)
+    settled: list[tuple[TrackedUnits, tuple[EpochPair, ...]]] = []
+    # points say the same of units whose poses are doubted meanwhile: what they say is left out afterwards
+    checks = _cross_checks(seen, joint, numbers, len(epochs), ask, lambda: settled.append(_settled(known, epochs, frames)))
+    known, pairs = settled[0]
     tracked = [dict(own) for own in known.states]
+    checks = _of_posed(checks, [with_poses(own, tracked[k]) for k, own in enumerate(seen)])
     calibrations = _calibrations(pairs, len(epochs))
-    checks = _cross_checks([with_poses(own, tracked[k]) for k, own in enumerate(seen)], joint, numbers, len(epochs))
     velocities = _velocities(epochs, units, tracks, tracked, pairs, calibrations) if len(epochs) > 2 else {}
     if frames is not None:
         frames = replace(frames, errors=chained_errors(frames, _ties_of_neighbours(pairs)))
@@ -291,37 +293,28 @@ def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) 
 
 
 def _cross_checks(
-    seen: Sequence[dict[int, FittedUnit]], joint: JointAdjustment, numbers: dict[tuple[int, int], int], epochs: int
+    seen: Sequence[dict[int, FittedUnit]],
+    joint: JointAdjustment,
+    numbers: dict[tuple[int, int], int],
+    epochs: int,
+    ask: Ask,
+    beside: Callable[[], None],
 ) -> dict[tuple[int, int, int], CrossCheck]:
-    """Displacements of all units between consecutive epochs by direct registration of their points."""
+    """Displacements of all units between consecutive epochs by direct registration of their points; ``beside`` is done meanwhile."""
+    pairs = list(zip(range(epochs - 1), range(1, epochs), strict=True))
+    asked = [(pair, *item) for pair in pairs for item in cross_check_questions(seen, joint, numbers, *pair)]
+    answers = ask([question for _, _, question in asked], beside)
     checks: dict[tuple[int, int, int], CrossCheck] = {}
-    difference = np.hstack([-np.eye(3), np.zeros((3, 3)), np.eye(3), np.zeros((3, 3))])
-    for first, second in zip(range(epochs - 1), range(1, epochs), strict=True):
-        both = [k for k, own in enumerate(seen) if first in own and second in own and (own[first].certain or own[second].certain)]
-        order = by_home((k, (seen[k][first].cloud, seen[k][second].cloud)) for k in both)
-        order = [k for k in order if seen[k][first].cloud.has_points and seen[k][second].cloud.has_points]
-        noise = float(np.nanmax(joint.noise[[first, second]])) if order else 0.0
-
-        def registered(
-            item: tuple[int, FloatArray, FloatArray], first: int = first, second: int = second, noise: float = noise
-        ) -> CrossCheck:
-            unit, before, after = item
-            a, b = numbers[unit, first], numbers[unit, second]
-            covariance = difference @ joint_block(joint, unit, a, b) @ difference.T
-            return cross_check(before, after, joint.poses[a], joint.poses[b], covariance, noise)
-
-        clouds = (
-            (k, _without_offsets(seen[k][first], k, first, joint), _without_offsets(seen[k][second], k, second, joint)) for k in order
-        )
-        checks |= {(first, second, k): check for k, check in zip(order, side_by_side(registered, clouds), strict=True)}
+    for (pair, units, _), answer in zip(asked, answers, strict=True):
+        checks |= {(*pair, unit): check for unit, check in zip(units, checks_of(answer), strict=True)}
     return checks
 
 
-def _without_offsets(unit: FittedUnit, number: int, epoch: int, joint: JointAdjustment) -> FloatArray:
-    """(n, 3) points less the offset of their strip or station."""
-    points, sources = unit.cloud.read()
-    offsets = joint.offsets_of(number, epoch, unit.cloud.ids)
-    return np.asarray(points - offsets[np.searchsorted(unit.cloud.ids, sources)])
+def _of_posed(
+    checks: Mapping[tuple[int, int, int], CrossCheck], posed: Sequence[Mapping[int, FittedUnit]]
+) -> dict[tuple[int, int, int], CrossCheck]:
+    """Those of units that have a pose in both epochs; ``posed`` holds these by unit and epoch."""
+    return {key: check for key, check in checks.items() if posed[key[2]].keys() >= set(key[:2])}
 
 
 def _velocities(

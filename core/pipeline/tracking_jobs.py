@@ -172,6 +172,6 @@ class QuestionJob:
         return self.question.answer()
 
 
-def answered_by(runner: JobRunner, questions: Sequence[Question]) -> Iterator[Answer]:
-    """Answers in the order of the questions, one read at a time."""
-    return (loaded_arrays(path) for path in runner.run([QuestionJob(question) for question in questions]))
+def answered_by(runner: JobRunner, questions: Sequence[Question], beside: Callable[[], None] = lambda: None) -> Iterator[Answer]:
+    """Answers in the order of the questions, one read at a time; ``beside`` is the caller's own work meanwhile."""
+    return (loaded_arrays(path) for path in runner.run([QuestionJob(question) for question in questions], beside=beside))

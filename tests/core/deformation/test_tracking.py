@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from functools import cache
@@ -12,12 +14,14 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from synthetic_units import ALL_DISCS, UNIT, grid_poses, seen_from_above
+from tetratrack.core.deformation.checked_units import CrossChecks
 from tetratrack.core.deformation.congruence import PoseCalibration
 from tetratrack.core.deformation.displacement import grades_from
 from tetratrack.core.deformation.fitted_unit import FittedUnit
 from tetratrack.core.deformation.identity import Track
 from tetratrack.core.deformation.joint_records import JointAdjustment
 from tetratrack.core.deformation.missing_units import Around, Surroundings
+from tetratrack.core.deformation.questions import Answer, Question
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch, TrackedUnit
 from tetratrack.core.deformation.tracking import Tracking, track, with_poses
 from tetratrack.core.deformation.unit_clouds import HeldPoints, UnitCloud
@@ -200,6 +204,27 @@ def test_cross_checks_agree() -> None:
     checks = tracked()[0].cross_checks
     assert len(checks) >= 26
     assert np.mean([c.agrees is True for c in checks.values()]) > 0.9
+
+
+def test_cross_checks_are_asked_for_in_parts_while_pairs_are_compared() -> None:
+    epochs, _, _, surroundings = surveyed()
+    asked: list[list[Question]] = []
+
+    def elsewhere(questions: Sequence[Question], beside: Callable[[], None] = lambda: None) -> list[Answer]:
+        asked.append(list(questions))
+        answers = [copy.answer() for copy in pickle.loads(pickle.dumps(asked[-1]))]  # noqa: S301
+        beside()
+        return answers
+
+    checks, others = tracked()[0].cross_checks, track(epochs, [UNIT], surroundings, ask=elsewhere).cross_checks
+    assert {type(question) for question in asked[-1]} == {CrossChecks}
+    # two pairs of epochs, four parts each
+    assert len(asked[-1]) == 8
+    assert checks.keys() == others.keys()
+    for key, check in checks.items():
+        assert np.array_equal(others[key].vector, check.vector, equal_nan=True)
+        assert np.array_equal(others[key].covariance, check.covariance, equal_nan=True)
+        assert (others[key].agrees, others[key].reason) == (check.agrees, check.reason)
 
 
 def test_rows_fit_their_layers() -> None:
