@@ -280,8 +280,9 @@ def dense_windows(points: FloatArray, height: float, count: int) -> list[IntArra
             chosen.append((i, j))
     out = []
     for i, j in chosen:
-        corner = low + np.array([i, j]) * step
-        inside = ((points[:, :2] >= corner) & (points[:, :2] < corner + 2 * step)).all(axis=1)
+        west, south = low + np.array([i, j]) * step
+        east, north = points[:, 0], points[:, 1]
+        inside = (east >= west) & (east < west + 2 * step) & (north >= south) & (north < south + 2 * step)
         out.append(np.flatnonzero(inside))
     return out
 
