@@ -25,8 +25,11 @@ from ..core.model.tetrapod import sample_surface
 from ..core.model.unit_types import UnitType
 from ..core.pipeline.run_options import RunOptions
 from ..core.pipeline.whole_survey import run_survey
+from ..core.segmentation.scene import Scene
+from ..core.segmentation.shared_noise import neighbours_share_noise
 from ..core.segmentation.smoothed_surface import smoothed
 from ..core.segmentation.surface_elements import surface_elements
+from ..core.segmentation.whole_unit_search import poses_about_elements
 from ..core.simulation.survey_plan import plan_of
 from ..core.simulation.virtual_survey import simulate_survey
 
@@ -80,8 +83,12 @@ def fit_a_unit() -> None:
     start = Pose(np.full(3, 0.02), np.eye(3))
     for covariances in (None, np.tile(NOISE**2 * np.eye(3), (POINTS, 1, 1))):
         adjust(points, unit, start, options=AdjustmentOptions(radius_sd=0.01, gradient_sd=0.01), covariances=covariances)
-    # the survey's noise is not so large that its elements are smoothed
-    smoothed(points, surface_elements(points, unit.height, workers=1), unit.height)
+    # the survey's noise is not so large that its elements are smoothed, nor its points so few that whole units are searched for
+    elements = surface_elements(points, unit.height, workers=1)
+    neighbours_share_noise(points, elements.points, unit.height, NOISE)
+    smoothed(points, elements, unit.height)
+    scene = Scene.of(elements, unit, 2 * NOISE)
+    poses_about_elements(scene, np.ones(len(elements.points), dtype=np.bool_), start.as_row()[None])
     thin_a_cloud(points)
 
 

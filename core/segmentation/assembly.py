@@ -121,7 +121,7 @@ def poses_from_single_legs(legs: Legs, scene: Scene, active: BoolArray, *, twist
 
 @kernel()
 def twist_support(
-    local: Any, count: int, turned: Any, shift: float, radius: float, gradient: float, length: float, tolerance: float
+    local: Any, count: int | np.int64, turned: Any, shift: float, radius: float, gradient: float, length: float, tolerance: float
 ) -> float:
     """Elements on the surface less those inside the solid, of the first ``count`` of ``local`` (3, m) about a leg.
 

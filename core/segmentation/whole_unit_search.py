@@ -112,7 +112,8 @@ def _search(first: int, last: int, seeds: Any, elements: Any, active: Any, grid:
                 for share in SHIFTS:
                     along = share * length
                     rho = radius - gradient * along
-                    count = 0
+                    # a number of the kind that other loops count with, or what they share would be compiled once more
+                    count = np.int64(0)
                     # every element is written down, and written over where it is too far
                     for q in range(m):
                         x, y, z = own[0, q], own[1, q], own[2, q]

@@ -30,9 +30,15 @@ print(len(Listener.compiled), *Listener.compiled)
 
 
 @pytest.mark.slow
-def test_a_run_after_the_warm_up_compiles_nothing(tmp_path: Path, repository: Path) -> None:
+@pytest.mark.parametrize("poverty", [(), ("--density", "100"), ("--noise", "0.07")])
+def test_a_run_after_the_warm_up_compiles_nothing(tmp_path: Path, repository: Path, poverty: tuple[str, ...]) -> None:
     survey = repository / "tests" / "data" / "sample" / "survey.toml"
-    for arguments in (["warm-up"], ["run", str(survey), "-o", str(tmp_path / "result.gpkg"), "--workers", "1"]):
+    commands = [["warm-up"]]
+    if poverty:
+        survey = tmp_path / "survey" / "survey.toml"
+        commands.append(["simulate", "-o", str(survey.parent), "--units", "12", "--epochs", "2", "--seed", "4", *poverty])
+    commands.append(["run", str(survey), "-o", str(tmp_path / "result.gpkg"), "--workers", "1"])
+    for arguments in commands:
         done = subprocess.run([sys.executable, "-c", LISTENING, *arguments, "--quiet"], capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "0"
 
