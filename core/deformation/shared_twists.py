@@ -110,7 +110,7 @@ def settle_together(
             sighting = known[number][where]
             symmetry, *_ = nearest_labels(here, sighting.pose, sighting.shape)
             placed = Pose(pose[where].centre, here.rotation)
-            sightings[where] = replace(sighting.relabelled(symmetry), pose=placed, certain=True, score=answer)
+            sightings[where] = replace(sighting.relabelled(symmetry), pose=placed, certain=True, twist_open=False, score=answer)
             track = replace(
                 track,
                 rows=track.rows | {where: joined[number].rows[where]},
@@ -161,20 +161,26 @@ def _answered(
 
 
 def _open_in_two(seen: Sequence[Mapping[int, FittedUnit]], shifts: FloatArray) -> list[tuple[Place, Place]]:
-    """Pairs of open sightings of two epochs in one place, the surer first; every unit once, with what lies nearest."""
+    """Pairs of open sightings of two epochs in one place, the surer first; every unit once, with what lies nearest.
+
+    Of one unit, or of two that no other epoch shows: what becomes one must not have two sightings in an epoch.
+    """
     places = [(k, e) for k, own in enumerate(seen) if not any(s.certain for s in own.values()) for e, s in own.items() if _is_asked(s)]
     if len(places) < 2:
         return []
     shown = [seen[k][e] for k, e in places]
     centres = np.array([s.pose.centre - shifts[e] for s, (_, e) in zip(shown, places, strict=True)])
-    height = max(s.shape.height for s in shown)
-    pairs = cKDTree(centres).query_pairs(CONFIRM_MOVE_HEIGHTS * height, output_type="ndarray")
+    limits = CONFIRM_MOVE_HEIGHTS * np.array([s.shape.height for s in shown])
+    pairs = cKDTree(centres).query_pairs(float(limits.max()), output_type="ndarray")
     away = np.linalg.norm(centres[pairs[:, 0]] - centres[pairs[:, 1]], axis=1)
+    near = away < limits[pairs[:, 0]]
+    pairs, away = pairs[near], away[near]
     found: list[tuple[Place, Place]] = []
     taken: set[int] = set()
     for i, j in pairs[np.lexsort((pairs[:, 1], pairs[:, 0], away))]:
         (one, two), own = (places[i], places[j]), {places[i][0], places[j][0]}
-        if one[1] != two[1] and shown[i].kind == shown[j].kind and not own & taken:
+        alone = len(own) == 1 or all(len(seen[k]) == 1 for k in own)
+        if alone and one[1] != two[1] and shown[i].kind == shown[j].kind and not own & taken:
             taken |= own
             found.append((one, two) if shown[i].score >= shown[j].score else (two, one))
     return found

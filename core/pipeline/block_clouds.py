@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import shutil
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,6 +21,8 @@ from .blocks import Block
 
 MOST_KEPT = 10_000_000
 """Points of a survey up to which they are kept, a quarter of a gigabyte: of longer ones the tiles are read again."""
+LEAST_FREE = 2**30
+"""Bytes of the disk that stay free for results: points that are kept only save time."""
 
 
 @dataclass(frozen=True)
@@ -39,13 +42,16 @@ class BlockClouds:
         if self.folder is None or cloud.spread is not None:
             return
         path = self._path(self.folder, block)
-        with suppress(OSError, OutputError), temporary_beside(path) as temporary:
-            with temporary.open("wb") as stream:
-                np.save(stream, np.array([window.west, window.south, window.east, window.north]))
-                # to reduce them was exact where coordinates are large: what is read is what stands in the tiles
-                np.save(stream, cloud.xyz + cloud.origin)
-                np.save(stream, cloud.source_id)
-            os.replace(temporary, path)
+        with suppress(OSError, OutputError):
+            if shutil.disk_usage(self.folder).free < LEAST_FREE + cloud.xyz.nbytes + cloud.source_id.nbytes:
+                return
+            with temporary_beside(path) as temporary:
+                with temporary.open("wb") as stream:
+                    np.save(stream, np.array([window.west, window.south, window.east, window.north]))
+                    # to reduce them was exact where coordinates are large: what is read is what stands in the tiles
+                    np.save(stream, cloud.xyz + cloud.origin)
+                    np.save(stream, cloud.source_id)
+                os.replace(temporary, path)
 
     def points(self, block: Block, survey_crs: str, window: Window, origin: FloatArray) -> tuple[FloatArray, NDArray[np.integer[Any]]]:
         """(n, 3) points of a block within a window, less ``origin``, and (n,) sources.
@@ -76,7 +82,7 @@ class BlockClouds:
                 if low[0] < west or low[1] < south or high[0] >= east or high[1] >= north:
                     return None
                 return np.load(stream), np.load(stream)
-        except (OSError, ValueError):
+        except (OSError, EOFError, ValueError):
             return None
 
     @staticmethod

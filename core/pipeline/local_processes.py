@@ -103,10 +103,15 @@ class LocalProcesses:
             self._pool = None
 
 
+def cores(workers: int) -> int:
+    """Local processes that are asked for: one a core where ``workers`` is 0."""
+    return workers or os.cpu_count() or 1
+
+
 def processes_for(workers: int, scheduler: str | None) -> LocalProcesses:
-    """The local processes that a run may use, not started yet: ``workers``, one a core where that is 0, one where a scheduler works."""
+    """The local processes that a run may use, not started yet: one where a scheduler works."""
     leave_if_imported()
-    return LocalProcesses(1 if scheduler is not None else workers or os.cpu_count() or 1)
+    return LocalProcesses(1 if scheduler is not None else cores(workers))
 
 
 def _load_libraries() -> None:

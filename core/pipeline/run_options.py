@@ -16,7 +16,7 @@ from ..common.errors import OutputError
 from ..common.feedback import Feedback
 from .block_clouds import BlockClouds
 from .job_runner import JobRunner, check_scheduler
-from .local_processes import LocalProcesses, processes_for
+from .local_processes import LocalProcesses, cores, processes_for
 
 
 @dataclass(frozen=True)
@@ -43,14 +43,17 @@ class RunOptions:
     @property
     def cores(self) -> int:
         """Local processes asked for: one a core where their number is left open."""
-        return self.workers or os.cpu_count() or 1
+        return cores(self.workers)
 
 
 @contextmanager
-def job_runner(output: Path, options: RunOptions, feedback: Feedback, processes: LocalProcesses | None = None) -> Iterator[JobRunner]:
+def job_runner(
+    output: Path, options: RunOptions, feedback: Feedback, processes: LocalProcesses | None = None, *, keep_points: bool = False
+) -> Iterator[JobRunner]:
     """A runner whose files are kept beside the output with ``resume`` and vanish otherwise.
 
-    ``processes`` are those of :func:`.local_processes.processes_for`, started already; None makes them.
+    ``processes`` are those of :func:`.local_processes.processes_for`, started already; None makes them. ``keep_points``: later jobs look at
+    the points of blocks again, which are kept where files vanish with the run.
 
     Raises
     ------
@@ -79,7 +82,7 @@ def job_runner(output: Path, options: RunOptions, feedback: Feedback, processes:
         place = target.parent if options.scheduler else None
         with temporary_folder(place) as temporary:
             # workers of a cluster would have them sent through its network
-            clouds = BlockClouds(None if options.scheduler else temporary)
+            clouds = BlockClouds(temporary if keep_points and not options.scheduler else None)
             with JobRunner(temporary, options.cores, options.scheduler, feedback.is_cancelled, processes, clouds) as runner:
                 yield runner
 

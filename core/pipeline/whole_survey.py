@@ -151,7 +151,7 @@ def _run(survey: Survey, output: Path, options: RunOptions, feedback: Feedback, 
         check_sizes(survey, plans[0].tiles, feedback.part(start, start))
         registrations.update(register_epochs(survey, plans, feedback))
 
-    with job_runner(output, options, feedback, processes) as runner:
+    with job_runner(output, options, feedback, processes, keep_points=True) as runner:
         part = feedback.part(start, start + SHARES["fit"])
         fitted, calibration = find_and_fit(survey, plans, record, runner, part, beside=look_beside)
         warn_of_empty(survey, [epoch.plan for epoch in fitted if not len(epoch)], feedback)

@@ -63,17 +63,6 @@ def relate_point(x: Any, y: Any, z: Any, legs: Any, radius: float, gradient: flo
 
 
 @kernel()
-def surely_farther(x: float, y: float, z: float, legs: Any, radius: float, gradient: float, length: float, limit: float) -> bool:
-    """Whether a point of the body frame surely lies farther than ``limit`` outside: a quick look before :func:`relate_point`."""
-    axial = max(
-        max(x * legs[0, 0] + y * legs[0, 1] + z * legs[0, 2], x * legs[1, 0] + y * legs[1, 1] + z * legs[1, 2]),
-        max(x * legs[2, 0] + y * legs[2, 1] + z * legs[2, 2], x * legs[3, 0] + y * legs[3, 1] + z * legs[3, 2]),
-    )
-    widest = radius - gradient * axial + limit * np.sqrt(1.0 + gradient * gradient)
-    return bool(axial > length + limit or x * x + y * y + z * z - axial * axial > widest * widest)
-
-
-@kernel()
 def normal_at(place: Any, leg: int, part: int, axial: float, rho: float, legs: Any, gradient: float, cosine: float) -> Any:
     """Outward normal of the lateral surface (part 0) or end disc (1) of a leg, body frame."""
     x, y, z = place

@@ -57,19 +57,23 @@ def turned(angle: float) -> Pose:
     return Pose(unit.centre, unit.rotation @ Rotation.from_rotvec(turn).as_matrix()).relabelled(UNIT.symmetries[4])
 
 
-def settled(first: Sequence[int], second: Sequence[int], **changes: bool) -> tuple[list[Track], list[dict[int, FittedUnit]]]:
+def settled(
+    first: Sequence[int], second: Sequence[int], third: bool = False, **changes: bool
+) -> tuple[list[Track], list[dict[int, FittedUnit]]]:
     """Tracks and sightings where two epochs are certain of some units each and leave the middle one open, 40 degrees apart."""
     shown = (list(first), list(second))
-    clouds = [points_of(own, epoch) for epoch, own in enumerate(shown)]
+    clouds = [points_of(own, epoch) for epoch, own in enumerate((*shown, []))]
     seen = [{e: sighting(ROWS[k], 1.0, certain=True)} for e, own in enumerate(shown) for k in own]
     options = {"twist_open": True} | changes
     seen += [{0: sighting(turned(15.0), 0.3, **options)}, {1: sighting(turned(-25.0), 0.4, **options)}]
+    if third:
+        seen[-1][2] = sighting(turned(-24.0), 0.35, **options)
     tracks = [Track(dict.fromkeys(own, k), {e: np.eye(3) for e in own}, frozenset(), 0) for k, own in enumerate(seen)]
 
     def around(epoch: int, places: FloatArray, reach: float):
         return lambda: (clouds[epoch], np.zeros(len(clouds[epoch]), dtype=np.uint16))
 
-    return settle_together(tracks, seen, [UNIT], np.zeros((2, 3)), around, answered_here)
+    return settle_together(tracks, seen, [UNIT], np.zeros((3, 3)), around, answered_here)
 
 
 def test_two_epochs_settle_a_turn_together():
@@ -77,7 +81,7 @@ def test_two_epochs_settle_a_turn_together():
     assert len(seen) == len(tracks) == 9
     own = seen[-1]
     assert sorted(own) == sorted(tracks[-1].rows) == sorted(tracks[-1].symmetries) == [0, 1]
-    assert all(s.certain and s.score >= FOUND_SCORE for s in own.values())
+    assert all(s.certain and not s.twist_open and s.score >= FOUND_SCORE for s in own.values())
     for s in own.values():
         turn = min(rotation_angle(ROWS[MIDDLE].rotation, s.pose.relabelled(symmetry).rotation) for symmetry in UNIT.symmetries)
         assert turn < tolerated_twist(UNIT) / 2
@@ -95,3 +99,9 @@ def test_what_both_leave_open_stays_as_it_is(twist_open):
     assert [sorted(own) for own in seen[-2:]] == [[0], [1]]
     assert not any(s.certain for own in seen[-2:] for s in own.values())
     assert len(tracks) == len(seen)
+
+
+def test_a_sighting_of_a_third_epoch_is_not_lost():
+    _, seen = settled([2, 6, 8, 12], [16, 17, 21, 22], third=True)
+    assert sum(map(len, seen)) == 8 + 3
+    assert [sorted(own) for own in seen[-2:]] == [[0], [1, 2]]

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from tetratrack.core.data.tiles import Window, inspect_tile, read_points
 from tetratrack.core.data.window_around import WindowAround
 from tetratrack.core.pipeline import block_clouds
-from tetratrack.core.pipeline.block_clouds import NOT_KEPT, BlockClouds
+from tetratrack.core.pipeline.block_clouds import LEAST_FREE, NOT_KEPT, BlockClouds
 from tetratrack.core.pipeline.blocks import Block, plan_blocks
 
 TILES = sorted((Path(__file__).resolve().parents[2] / "data" / "tiny" / "tiles" / "2024-04-09").glob("*.laz"))
@@ -48,18 +49,25 @@ def test_kept_points_are_those_of_the_tiles(tmp_path: Path, block: Block, name: 
     assert np.array_equal(sources, wanted.source_id)
 
 
-@pytest.mark.parametrize("trouble", ["no folder", "nothing kept", "damaged", "too narrow", "not written"])
-def test_tiles_are_read_where_points_are_not_kept(tmp_path: Path, block: Block, trouble: str) -> None:
+@pytest.mark.parametrize("trouble", ["no folder", "nothing kept", "damaged", "cut", "too narrow", "not written", "full disk"])
+def test_tiles_are_read_where_points_are_not_kept(tmp_path: Path, block: Block, trouble: str, monkeypatch: pytest.MonkeyPatch) -> None:
     window = _windows(block)["all"]
     wanted = read_points(block.tiles, CRS, window=window, origin=ORIGIN)
     clouds = NOT_KEPT if trouble == "no folder" else BlockClouds(tmp_path / "gone" if trouble == "not written" else tmp_path)
+    if trouble == "full disk":
+        monkeypatch.setattr("shutil.disk_usage", lambda folder: SimpleNamespace(free=LEAST_FREE + 100))
     if trouble != "nothing kept":
         narrow = _windows(block)["part"] if trouble == "too narrow" else block.core.grown(5.0)
         clouds.keep(block, narrow, read_points(block.tiles, CRS, window=narrow))
     kept = list(tmp_path.iterdir())
-    assert len(kept) == (trouble in ("damaged", "too narrow"))
+    assert len(kept) == (trouble in ("damaged", "cut", "too narrow"))
     if trouble == "damaged":
         kept[0].write_bytes(kept[0].read_bytes()[:-100])
+    if trouble == "cut":
+        with kept[0].open("r+b") as stream:
+            np.load(stream)
+            np.load(stream)
+            stream.truncate()
     xyz, sources = clouds.points(block, CRS, window, ORIGIN)
     np.testing.assert_allclose(xyz, wanted.xyz, rtol=0, atol=1e-12)
     assert np.array_equal(sources, wanted.source_id)

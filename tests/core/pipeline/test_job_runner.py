@@ -19,6 +19,7 @@ from tetratrack.core.adjustment.adjustment_records import AdjustmentOptions
 from tetratrack.core.adjustment.gauss_helmert import adjust
 from tetratrack.core.common.dead_objects import BETWEEN_LOOKS
 from tetratrack.core.common.errors import Cancelled, InputError, NoSolutionError, OutputError, TetratrackError
+from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.tiles import TileInfo, Window
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import sample_surface
@@ -30,6 +31,7 @@ from tetratrack.core.pipeline.epoch_units import owners
 from tetratrack.core.pipeline.gap_table import look_into_tiles
 from tetratrack.core.pipeline.job_runner import JobRunner, job_key
 from tetratrack.core.pipeline.local_processes import LocalProcesses, processes_for
+from tetratrack.core.pipeline.run_options import RunOptions, job_runner
 
 
 def _tile(name: str, low: tuple[float, float], high: tuple[float, float], points: int = 1000) -> TileInfo:
@@ -295,6 +297,7 @@ def _save_segmented(path: Path, pose: Pose, cloud: np.ndarray) -> None:
     """Result of the segmentation of one unit of which the sides of one leg are seen."""
     one = {name: np.ones(1) for name in ("score", "coverage", "misfit", "supported")}
     one |= {name: np.zeros((1, 4)) for name in LEG_COLUMNS}
+    one |= {"twist_open": np.zeros(1, dtype=np.bool_)}
     whole = {"type": np.zeros(1, dtype=np.int64), "legs_visible": np.ones(1, dtype=np.int64), "status": np.array(["found"], dtype="U9")}
     save_arrays(
         path,
@@ -404,3 +407,13 @@ def test_a_fault_of_the_callers_work_ends_the_processes(tmp_path):
         with pytest.raises(InputError, match="wrong size"):
             runner.run([Waiting(k, str(tmp_path / "never")) for k in range(2)], beside=fault)
         assert set(multiprocessing.active_children()) <= before
+
+
+@pytest.mark.parametrize(("resume", "keep_points", "kept"), [(False, True, True), (False, False, False), (True, True, False)])
+def test_points_are_kept_for_those_who_ask_and_vanish_with_the_run(tmp_path: Path, resume: bool, keep_points: bool, kept: bool) -> None:
+    options = RunOptions(workers=1, resume=resume)
+    with job_runner(tmp_path / "result.gpkg", options, Feedback(), keep_points=keep_points) as runner:
+        folder = runner.clouds.folder
+        assert (folder is not None) == kept
+        assert folder is None or folder.is_dir()
+    assert folder is None or not folder.exists()
