@@ -19,8 +19,8 @@ from pathlib import Path
 from types import FrameType
 from typing import Any, TextIO
 
-from ..core.common.dead_objects import look_seldom
 from ..core.common.errors import Cancelled, InputError, NoSolutionError, OutputError, TetratrackError
+from ..core.common.garbage_collection import collect_seldom
 
 DONE, FAULT, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 PLAIN_SECONDS = 10.0
@@ -232,13 +232,13 @@ def print_document(text: str) -> int:
 
 def prepare_process() -> None:
     """Make the process independent of its surroundings: letters that a code page lacks are replaced, foreign data of PROJ and GDAL left,
-    and the process one that works and ends.
+    and garbage is collected seldom.
 
     Other programs (a database, another GIS) set PROJ_DATA and GDAL_DATA for all; their versions do not fit the libraries here, which
     bring their own. Matrices are solved by one thread, as in the worker processes, unless the user says otherwise: results then do not
     depend on the number of cores in their last digits, and threads that wait for each other do not take the time of a busy machine.
     """
-    look_seldom()
+    collect_seldom()
     for name in LINEAR_ALGEBRA:
         os.environ.setdefault(name, "1")
     for stream in (sys.stdout, sys.stderr):

@@ -12,6 +12,8 @@ from ..model.tetrapod import TIP_RATIO
 from ..model.unit_types import UnitType
 
 PARAMETERS = ("e", "n", "h", "omega_e", "omega_n", "omega_h", "r", "c")
+LENGTH_SD = 0.003
+"""Relative standard deviation of the length of legs as built (assumed: that of the units' sizes)."""
 MIN_POINTS = 8
 """Points without which nothing is adjusted, and by which a leg or an end disc counts as seen."""
 
@@ -32,7 +34,7 @@ class AdjustmentOptions:
     end_discs
         Use the planes at the ends of the legs; ``auto`` only where the points show a plane at the nominal length.
     leg_length_sd
-        Standard deviation of the distance from the centre to an end disc as built, metres; None for 0.3 % of it.
+        Standard deviation of the distance from the centre to an end disc as built, metres; None for ``LENGTH_SD`` of it.
     tip
         Share of the leg length up to which the cone holds on legs whose end disc is not used; 1 for all of it.
     edge

@@ -12,7 +12,7 @@ from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..model.pose import Pose
 from ..model.tetrapod import EDGE_RATIO
 from ..model.unit_types import UnitType
-from .adjustment_records import AdjustmentOptions
+from .adjustment_records import LENGTH_SD, AdjustmentOptions
 from .condition_records import LegDirections, NormalEquations, PointStates, Solid, Sums, legs_of
 
 END_IN_NOISE = 1.0
@@ -44,7 +44,7 @@ class Prior(NamedTuple):
     def of(cls, unit: UnitType, options: AdjustmentOptions) -> Prior:
         """Of a unit type."""
         length = float(unit.leg_length)
-        length_sd = 0.003 * length if options.leg_length_sd is None else options.leg_length_sd
+        length_sd = LENGTH_SD * length if options.leg_length_sd is None else options.leg_length_sd
         sds = np.array([math.inf] * 6 + [options.radius_sd, options.gradient_sd] + [length_sd] * 4)
         with np.errstate(divide="ignore"):
             weights = np.where((sds > 0) & np.isfinite(sds), 1 / sds**2, 0.0)

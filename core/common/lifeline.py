@@ -11,7 +11,7 @@ import sys
 import threading
 from multiprocessing.connection import wait
 
-from .dead_objects import look_seldom
+from .garbage_collection import collect_seldom
 
 _PR_SET_PDEATHSIG = 1
 IMPORTED_EXIT = 78
@@ -36,7 +36,7 @@ def start_as_worker(parent: int, from_main_thread: bool) -> None:
     if started_by is None or (os.name == "posix" and os.getppid() != parent):
         os._exit(1)
     threading.Thread(target=_end_with, args=(started_by.sentinel,), daemon=True).start()
-    look_seldom()
+    collect_seldom()
 
 
 def _end_with(sentinel: int) -> None:

@@ -10,12 +10,11 @@ import math
 
 import numpy as np
 
+from ..adjustment.adjustment_records import LENGTH_SD
 from ..adjustment.visible_parts import beyond_ends, most_beyond, plane_beyond
 from ..common.arrays import FloatArray
 from .strip_observations import Body
 
-LENGTH_SD = 0.003
-"""Relative standard deviation of the length of legs as built."""
 FAR_IN_NOISE = 2.0
 """Distance of a plane from the end of its leg, in standard deviations of a point, beyond which the unit is moved there: robust weights
 would doubt what lies farther off."""

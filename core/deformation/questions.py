@@ -19,7 +19,10 @@ class Question(Protocol):
 
 
 class Ask(Protocol):
-    """Answers to questions, in their order; ``beside`` is work of the caller's own meanwhile."""
+    """Answers to questions, in their order.
+
+    ``beside`` is work of the caller's own, done meanwhile where processes answer, and before otherwise.
+    """
 
     def __call__(self, questions: Sequence[Question], beside: Callable[[], None] = lambda: None) -> Iterable[Answer]:
         """Answers, each read or found as it is asked for."""

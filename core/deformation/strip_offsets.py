@@ -40,6 +40,7 @@ from ..registration.shift_samples import axis_of
 from .cast_surfaces import CastSurfaces
 from .ends_in_epochs import ends_shown, way_to_ends
 from .joint_records import JointAdjustment, UnitSighting
+from .presence import CHANCE_SDS
 from .streamed_median import StreamedMedian
 from .strip_drifts import DriftSystem, Knots, StripDrifts, UnitEquations
 from .strip_observations import Body, StripObservations, accumulate, kept_share, observations
@@ -57,9 +58,9 @@ LEARNING_ITERATIONS = (1, 3)
 END_ITERATIONS = (1, 3)
 """Before which the ends of legs are looked at again, with the poses as they are then."""
 
-MORE_POINTS, CHANCE_SDS = 1.1, 3.0
-"""By what factor, and how many standard deviations of their number beyond it, more points of a sighting must lie on its unit where another
-one has it than where its own fit does."""
+MORE_POINTS = 1.1
+"""By what factor, and ``CHANCE_SDS`` of their number beyond it, more points of a sighting must lie on its unit where another one
+has it than where its own fit does (assumed; looked at on U013 of docs/benchmarks.md)."""
 
 OPEN_TURN = math.pi / AZIMUTH_CELLS
 """Standard deviation of a turn, half the width of a cell, from which it is not known which cells of a leg a sighting shows."""
@@ -103,9 +104,9 @@ class UnitReduction(NamedTuple):
     cells: list[CellSums]
 
 
-class SecondLooks(NamedTuple):
-    """By sighting the (3, 3) covariance of its centre, and by two epochs how far units lie elsewhere in the second, (3,) median of those
-    that both show, where a sighting may begin at another's pose; metres."""
+class LookAgain(NamedTuple):
+    """What is needed to look at points again, metres: by sighting the (3, 3) covariance of its centre, and by two epochs how far units lie
+    elsewhere in the second, (3,) median of those that both show, where a sighting may begin at another's pose."""
 
     covariances: dict[int, FloatArray]
     shifts: dict[tuple[int, int], FloatArray] | None
@@ -288,7 +289,7 @@ class _JointSolver:
             if iteration < 4:
                 self.estimate_noise()
             # those of the last step go before the next ones come: two sets would be twice the memory
-            looks, blocks = self.second_looks(iteration, blocks), {}
+            looks, blocks = self._what_to_look_for(iteration, blocks), {}
             # the noise is known better by now, but it must judge the points that it was estimated from
             blocks = self.reduce(before, looks)
             if iteration in LEARNING_ITERATIONS:
@@ -310,7 +311,7 @@ class _JointSolver:
                 break
         return blocks, strips
 
-    def look_again(self, unit: int, clouds: Sequence[ReadCloud], looks: SecondLooks) -> None:
+    def look_again(self, unit: int, clouds: Sequence[ReadCloud], looks: LookAgain) -> None:
         """Use end discs that the points of a unit in several epochs show at its present poses, if not at those of their own fits.
 
         A sighting begins where another one has the unit, at rest, if clearly more of its points lie on it there: a fit to few points may
@@ -352,7 +353,7 @@ class _JointSolver:
         seen = self.observe(number, cloud, noise, derived=False)
         return int(np.count_nonzero((seen.patches >= 0) & (np.abs(seen.residuals) < TUKEY * noise)))
 
-    def second_looks(self, iteration: int, blocks: Mapping[int, UnitBlock]) -> SecondLooks | None:
+    def _what_to_look_for(self, iteration: int, blocks: Mapping[int, UnitBlock]) -> LookAgain | None:
         """What the looks before a step need to know of the step before, whose ``blocks`` are let go then; None where none is taken."""
         if iteration not in END_ITERATIONS:
             return None
@@ -361,14 +362,14 @@ class _JointSolver:
             inverse = block.inverse
             covariances |= {k: inverse[6 * i : 6 * i + 3, 6 * i : 6 * i + 3].copy() for i, k in enumerate(self.order[unit])}
         if iteration != END_ITERATIONS[0]:
-            return SecondLooks(covariances, None)
+            return LookAgain(covariances, None)
         ways: dict[tuple[int, int], list[FloatArray]] = {}
         for own in self.order.values():
             for a, b in permutations(own, 2):
                 ways.setdefault((self.sightings[a].epoch, self.sightings[b].epoch), []).append(self.centres[b] - self.centres[a])
-        return SecondLooks(covariances, {epochs: np.median(own, axis=0) for epochs, own in ways.items()})
+        return LookAgain(covariances, {epochs: np.median(own, axis=0) for epochs, own in ways.items()})
 
-    def reduce(self, noise: FloatArray, looks: SecondLooks | None) -> dict[int, UnitBlock]:
+    def reduce(self, noise: FloatArray, looks: LookAgain | None) -> dict[int, UnitBlock]:
         """Eliminate the units, looked at again if asked for and observed with the ``noise`` by epoch: their blocks, and what each says of
         its strips."""
 

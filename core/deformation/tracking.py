@@ -300,7 +300,10 @@ def _cross_checks(
     ask: Ask,
     beside: Callable[[], None],
 ) -> dict[tuple[int, int, int], CrossCheck]:
-    """Displacements of all units between consecutive epochs by direct registration of their points; ``beside`` is done meanwhile."""
+    """Displacements of all units between consecutive epochs by direct registration of their points.
+
+    ``beside`` is done meanwhile, or before where no other process answers.
+    """
     pairs = list(zip(range(epochs - 1), range(1, epochs), strict=True))
     asked = [(pair, *item) for pair in pairs for item in cross_check_questions(seen, joint, numbers, *pair)]
     answers = ask([question for _, _, question in asked], beside)

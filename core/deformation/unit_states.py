@@ -29,7 +29,7 @@ SURE_SCORE = 0.99
 """Score of a unit whose size is held against what castings of any moulds differ by, at least."""
 ODD_SIZE = 4.5
 """Deviation of a unit's size from that of the others, in standard deviations, above which something else was fitted."""
-NOISY_RATIO = 0.012
+LARGE_NOISE_RATIO = 0.012
 """Noise of a point, as a share of the height, beyond which a size is no odder than the points of other surfaces make it: these lie within
 the noise of a unit's own, and draw it by as much at the most. At 3.3 % of the height 8 right units of six piles, 1 to 5 % larger than the
 others, would seem odd, and none that is wrong."""
@@ -68,7 +68,7 @@ def odd_sizes(joint: JointAdjustment, kinds: IntArray, units: Sequence[UnitType]
         # the unit that is sought must not hide behind the spread that it makes itself; a median of few may be a third too small
         spread = min(surface.size_sd, max(1.5 * sd_of_deviations(shares), LEAST_SIZE_SPREAD))
         away = shares / np.where(sure[own], max(spread, PRIOR_SIZE_SD), spread)
-        drawn = noise / units[kind].radius if noise > NOISY_RATIO * units[kind].height else 0.0
+        drawn = noise / units[kind].radius if noise > LARGE_NOISE_RATIO * units[kind].height else 0.0
         odd += own[(away > ODD_SIZE * max(sd_of_deviations(away), 1.0)) & (shares > drawn)].tolist()
     return frozenset(odd)
 

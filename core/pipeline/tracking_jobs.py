@@ -173,5 +173,5 @@ class QuestionJob:
 
 
 def answered_by(runner: JobRunner, questions: Sequence[Question], beside: Callable[[], None] = lambda: None) -> Iterator[Answer]:
-    """Answers in the order of the questions, one read at a time; ``beside`` is the caller's own work meanwhile."""
+    """Answers in the order of the questions, one read at a time; ``beside`` is the caller's own work, as in :meth:`.JobRunner.run`."""
     return (loaded_arrays(path) for path in runner.run([QuestionJob(question) for question in questions], beside=beside))

@@ -17,9 +17,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 from tetratrack.core.adjustment.adjustment_records import AdjustmentOptions
 from tetratrack.core.adjustment.gauss_helmert import adjust
-from tetratrack.core.common.dead_objects import BETWEEN_LOOKS
 from tetratrack.core.common.errors import Cancelled, InputError, NoSolutionError, OutputError, TetratrackError
 from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.common.garbage_collection import THRESHOLDS
 from tetratrack.core.data.tiles import TileInfo, Window
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import sample_surface
@@ -79,7 +79,7 @@ class Square:
 
 @dataclass(frozen=True)
 class Threshold:
-    """How many containers are made before a process looks for dead ones."""
+    """How many containers are made before a process collects garbage."""
 
     number: int
 
@@ -146,10 +146,10 @@ def test_processes_serve_all_calls_and_end_with_the_runner(tmp_path: Path) -> No
     assert not first & {child.pid for child in multiprocessing.active_children()}
 
 
-def test_processes_look_seldom_for_dead_objects(tmp_path: Path) -> None:
+def test_processes_collect_seldom_for_garbage_collection(tmp_path: Path) -> None:
     with JobRunner(tmp_path, 2) as runner:
         paths = runner.run([Threshold(1), Threshold(2)])
-    assert [tuple(load_arrays(path)["threshold"]) for path in paths] == [BETWEEN_LOOKS] * 2
+    assert [tuple(load_arrays(path)["threshold"]) for path in paths] == [THRESHOLDS] * 2
 
 
 def test_work_beside_gaps_is_done(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Processes that work and end look seldom for dead objects, and not when they end."""
+"""Processes that work and end collect garbage seldom, and not when they end."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ import subprocess
 import sys
 
 import pytest
-from tetratrack.core.common.dead_objects import BETWEEN_LOOKS
+from tetratrack.core.common.garbage_collection import THRESHOLDS
 
 CYCLE = """
 import gc
-from tetratrack.core.common.dead_objects import look_seldom
+from tetratrack.core.common.garbage_collection import collect_seldom
 
 class Ring:
     def __del__(self):
         print("taken apart")
 
 if {seldom}:
-    look_seldom()
+    collect_seldom()
 print(gc.get_threshold())
 ring = Ring()
 ring.itself = ring
@@ -26,7 +26,7 @@ del ring
 
 
 @pytest.mark.parametrize("seldom", [True, False])
-def test_a_process_that_ends_takes_no_dead_objects_apart(seldom: bool) -> None:
+def test_a_process_that_ends_takes_no_garbage_collection_apart(seldom: bool) -> None:
     told = subprocess.run([sys.executable, "-c", CYCLE.format(seldom=seldom)], capture_output=True, encoding="utf-8", check=True).stdout
-    assert (f"{BETWEEN_LOOKS}\n" in told) == seldom
+    assert (f"{THRESHOLDS}\n" in told) == seldom
     assert ("taken apart" in told) == (not seldom)
