@@ -60,7 +60,7 @@ END_ITERATIONS = (1, 3)
 
 MORE_POINTS = 1.1
 """By what factor, and ``CHANCE_SDS`` of their number beyond it, more points of a sighting must lie on its unit where another one
-has it than where its own fit does (assumed; looked at on U013 of docs/benchmarks.md)."""
+has it than where its own fit does (assumed; looked at on U013 of docs/benchmarks-castings.md)."""
 
 OPEN_TURN = math.pi / AZIMUTH_CELLS
 """Standard deviation of a turn, half the width of a cell, from which it is not known which cells of a leg a sighting shows."""

@@ -116,8 +116,8 @@ pose than elsewhere, and how much of one it explains speaks for it. Elements ins
 units of such clouds have a score of elements inside, simulated ones none."""
 LAYERED = ScoreModel(Weights(-8.75, (0.35, 1.44, 0.96)), None, False, bridged_features)
 """Of the same where the layers that bridge gaps were taken off, in rich and in sparse clouds: what is left of them beside surfaces says
-little, and extent and support the more. Fitted to three epochs of two simulated piles and to rock (``docs/benchmarks.md``); held out by
-epoch 122 of 132 right poses have 0.65 or more (115 with the weights for bridged clouds)."""
+little, and extent and support the more. Fitted to three epochs of two simulated piles and to rock (``docs/benchmarks-units.md``); held out
+by epoch 122 of 132 right poses have 0.65 or more (115 with the weights for bridged clouds)."""
 MATCHED = ScoreModel(Weights(-19.90, (0.70, 3.64, 1.08)), None, False, matched_features)
 """Of :func:`matched_features`, where matching noise that neighbours share leaves the tolerance wide: rock lies within it often, and what
 tells a unit is how much of one a pose explains."""
