@@ -21,7 +21,7 @@ from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import build_grid, gather
 from ..common.positive_definite import factorise, solve_factorised
 from ..common.voxels import thin
-from .smoothed_surface import quadric_terms, tangent_axes
+from .smoothed_surface import in_radii, quadric_terms, tangent_axes
 from .surface_elements import THINNING_RATIO
 
 NEAR_RATIO, FAR_RATIO = 0.05, 0.1
@@ -136,11 +136,8 @@ def _fit(first: int, last: int, points: Any, every: Any, places: Any, radii: Any
         m = len(near)
         if m < FEWEST_POINTS:
             continue
-        local = np.empty((m, 3))
-        for j in range(m):
-            for a in range(3):
-                # lengths in radii from here on
-                local[j, a] = (points[near[j], a] - places[i, a]) / radius
+        # lengths in radii from here on
+        local = in_radii(points, near, places[i], radius)
         axes = tangent_axes(local)
         if axes[2, 0] < 0.0:
             axes[:, 0] = -axes[:, 0]

@@ -15,7 +15,7 @@ import numpy as np
 from ..common.arrays import FloatArray
 from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import build_grid, gather
-from .smoothed_surface import MOST_POINTS, TINY, quadric_terms, robust_quadric, tangent_axes
+from .smoothed_surface import MOST_POINTS, TINY, in_radii, quadric_terms, robust_quadric, tangent_axes
 
 RADIUS_RATIO = 0.1
 """Radius of the patches, as a share of the height: half the radius of a leg, so that a quadric leaves hardly anything of its surface."""
@@ -59,11 +59,8 @@ def _correlations(first: int, last: int, points: Any, every: Any, places: Any, r
         near = gather(every, (places[i, 0], places[i, 1], places[i, 2]), radius, grid, np.int64(MOST_POINTS))
         if len(near) < FEWEST_POINTS:
             continue
-        local = np.empty((len(near), 3))
-        for j in range(len(near)):
-            for a in range(3):
-                # lengths in radii from here on
-                local[j, a] = (points[near[j], a] - places[i, a]) / radius
+        # lengths in radii from here on
+        local = in_radii(points, near, places[i], radius)
         axes = tangent_axes(local)
         solution, _, _ = robust_quadric(local, axes, noise / radius)
         design, across = quadric_terms(local, axes)

@@ -87,11 +87,8 @@ def _patches(first: int, last: int, points: Any, every: Any, places: Any, radius
         out[i, 9] = len(near)
         if len(near) < FEWEST_POINTS:
             continue
-        local = np.empty((len(near), 3))
-        for j in range(len(near)):
-            for a in range(3):
-                # lengths in radii from here on
-                local[j, a] = (points[near[j], a] - places[i, a]) / radius
+        # lengths in radii from here on
+        local = in_radii(points, near, places[i], radius)
         axes = tangent_axes(local)
         solution, covariance, weight = robust_quadric(local, axes, noise / radius)
         if weight < FEWEST_WEIGHT or abs(solution[0]) * radius > FARTHEST_IN_NOISE * noise:
@@ -103,6 +100,16 @@ def _patches(first: int, last: int, points: Any, every: Any, places: Any, radius
         out[i, 6] = 0.5 * (solution[3] + solution[5]) / radius
         out[i, 7] = 0.5 * np.sqrt(max(covariance[3, 3] + covariance[5, 5] + 2.0 * covariance[3, 5], 0.0)) * noise / radius**2
         out[i, 8] = np.sqrt(covariance[0, 0]) * noise
+
+
+@kernel()
+def in_radii(points: Any, near: Any, place: Any, radius: float) -> Any:
+    """(m, 3) those of (n, 3) points whose numbers are ``near`` (m,), from a place (3,), in lengths of ``radius``."""
+    local = np.empty((len(near), 3))
+    for j in range(len(near)):
+        for a in range(3):
+            local[j, a] = (points[near[j], a] - place[a]) / radius
+    return local
 
 
 @kernel()
