@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Literal
 
@@ -63,6 +63,8 @@ class TargetShifts:
         (k, 3) stated, square metres.
     offset_variance
         Variance per axis of the mean offset of the epoch's strips or stations, which units have and targets do not, square metres.
+    drift_variances
+        (3,) by axis, of the mean of their drifts at a place, in the same way; zero where they are stiff.
     """
 
     ids: tuple[str, ...]
@@ -70,6 +72,7 @@ class TargetShifts:
     residuals: FloatArray
     variances: FloatArray
     offset_variance: float = 0.0
+    drift_variances: FloatArray = field(default_factory=lambda: np.zeros(3))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -199,9 +202,9 @@ def estimate_frames(
             continue
         used = exclude_by_turns(partial(_p_values, basis.model, own, noise, change), np.ones(len(own.ids), dtype=bool), SNOOPING_LEVEL)
         weights = np.stack([np.diag(1 / (noise**2 * v)) for v in own.variances])
-        field = FieldEstimate.from_observations(basis, precision, own.positions[used], own.residuals[used], weights[used])
-        errors.append(_with_offset(field, own.offset_variance))
-        verdicts.append(_verdicts(basis.model, own, noise, change, used, field))
+        seen = FieldEstimate.from_observations(basis, precision, own.positions[used], own.residuals[used], weights[used])
+        errors.append(_with_mean_of_strips(seen, own))
+        verdicts.append(_verdicts(basis.model, own, noise, change, used, seen))
     return EpochFrames(
         model=basis.model,
         gain=gain,
@@ -214,11 +217,17 @@ def estimate_frames(
     )
 
 
-def _with_offset(field: FieldEstimate, variance: float) -> FieldEstimate:
-    """A field whose shift has a ``variance`` (square metres) more on every axis."""
-    covariance = field.covariance.copy()
-    covariance[[0, 1, 2], [0, 1, 2]] += variance
-    return replace(field, covariance=covariance)
+def _with_mean_of_strips(seen: FieldEstimate, own: TargetShifts) -> FieldEstimate:
+    """A frame as targets see it and what they do not see: the mean of strips, a shift and, where they drift, smooth as bends are."""
+    covariance = seen.covariance.copy()
+    covariance[[0, 1, 2], [0, 1, 2]] += own.offset_variance
+    if own.drift_variances.any():
+        nodes = seen.basis.nodes
+        alike = seen.basis.model.correlation(nodes, nodes)
+        for axis, variance in enumerate(own.drift_variances):
+            part = slice(RIGID + axis, None, 3)
+            covariance[part, part] += variance * alike
+    return replace(seen, covariance=covariance)
 
 
 def _resting_cells(pair: PairShifts, bending: Bending, height: float) -> tuple[ShiftSample, IntArray]:
@@ -421,10 +430,10 @@ def _outlier_p_values(model: FieldModel, own: TargetShifts, noise: float, used: 
 
 
 def _verdicts(
-    model: FieldModel, own: TargetShifts, noise: float, change: FloatArray, used: BoolArray, field: FieldEstimate
+    model: FieldModel, own: TargetShifts, noise: float, change: FloatArray, used: BoolArray, seen: FieldEstimate
 ) -> TargetVerdicts:
     away, _, spread = _outlier_p_values(model, own, noise, used)
     p_values = _p_values(model, own, noise, change, used)
     w_max = np.max(np.abs(away) / np.sqrt(np.einsum("kii->ki", spread)), axis=1)
-    left = own.residuals - field.at(own.positions).means[:, :3]
+    left = own.residuals - seen.at(own.positions).means[:, :3]
     return TargetVerdicts(residuals=np.where(used[:, None], left, away), w_max=w_max, p_values=p_values, used=used)

@@ -100,6 +100,13 @@ class StripDrifts:
         own = [self.numbers[epoch, int(k)] for k in sources]
         return np.asarray(sum(weight * self.values[k, own] for k, weight in self.knots.weights(self.places[unit])))
 
+    def variances_of_mean(self, epoch: int) -> FloatArray:
+        """(3,) variance by axis of the mean drift of an epoch's strips at a place, square metres, as these differ; 0 for less than two."""
+        own = [number for (e, _), number in self.numbers.items() if e == epoch]
+        if len(own) < 2:
+            return np.zeros(3)
+        return np.asarray(np.mean(np.sum(self.values[:, own] ** 2, axis=1), axis=0) / (len(own) - 1) / len(own))
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class UnitEquations:

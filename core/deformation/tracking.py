@@ -218,7 +218,12 @@ def _frames(units: TrackedUnits, epochs: Sequence[TrackedEpoch], choice: FrameCh
     places = [s.pose.centre for states in units.states for s in states.values() if s.pose is not None]
     height = max(unit.height for unit in units.types)
     pairs = [shifts_between(units, k, k + 1) for k in range(len(epochs) - 1)]
-    targets = [None if e.targets is None else replace(e.targets, offset_variance=e.offset_variance) for e in epochs]
+    drifts = units.joint.drifts
+    drifting = [np.zeros(3) if drifts is None else drifts.variances_of_mean(k) for k in range(len(epochs))]
+    targets = [
+        None if e.targets is None else replace(e.targets, offset_variance=e.offset_variance, drift_variances=drifting[k])
+        for k, e in enumerate(epochs)
+    ]
     return estimate_frames(pairs, targets, np.array(places).reshape(-1, 3), height, choice)
 
 

@@ -18,10 +18,20 @@ HEIGHT = 2.3
 FloatArray = NDArray[np.float64]
 
 
-def frames_and_datum(coast: BentCoast, with_targets: tuple[bool, bool] = (True, True)) -> tuple[EpochFrames, ElasticDatum]:
+def frames_and_datum(
+    coast: BentCoast, with_targets: tuple[bool, bool] = (True, True), drift: float = 0.0
+) -> tuple[EpochFrames, ElasticDatum]:
     names = tuple(f"T{k:02d}" for k in range(len(coast.targets)))
     targets = [
-        TargetShifts(ids=names, positions=coast.targets, residuals=own, variances=np.full(own.shape, coast.target_sd**2)) if given else None
+        TargetShifts(
+            ids=names,
+            positions=coast.targets,
+            residuals=own,
+            variances=np.full(own.shape, coast.target_sd**2),
+            drift_variances=np.full(3, drift**2),
+        )
+        if given
+        else None
         for own, given in zip(coast.residuals, with_targets, strict=True)
     ]
     shifts = PairShifts(places=coast.places, vectors=coast.displacements, covariances=coast.covariances)
@@ -45,6 +55,19 @@ def errors_of(coast: BentCoast, fields: tuple[FieldEstimate | None, ...]) -> tup
         lengths.append(float(np.sqrt(np.mean(np.sum(away**2, axis=1)))))
         squares.append(float(np.mean(away**2 / np.einsum("kii->ki", known.covariances[:, :3, :3]))))
     return lengths, squares
+
+
+@pytest.mark.parametrize(("told", "least", "most"), [(0.0, 3.0, 30.0), (0.015, 0.5, 1.6)])
+def test_what_strips_drift_in_the_mean_is_in_the_deviations_of_positions(told: float, least: float, most: float) -> None:
+    """Units share a drift of 15 mm that no target sees: positions are as far off as they say where that is known."""
+    squares = []
+    for seed in range(6):
+        coast = bent_coast(seed, rms=0.015, station=24.0)
+        noise = np.random.default_rng(seed).normal(0, coast.target_sd, (2, *coast.targets.shape))
+        coast = replace(coast, residuals=(noise[0], noise[1]))
+        frames, datum = frames_and_datum(coast, drift=told)
+        squares += errors_of(coast, chained_errors(frames, [datum]))[1]
+    assert least < np.mean(squares) < most
 
 
 def test_units_that_rest_bring_the_targets_of_both_epochs_together() -> None:
