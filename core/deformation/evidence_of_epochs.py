@@ -42,7 +42,7 @@ def joint_score(
     """
     now, before = around
     look = _look_at(pose, known.shape, owners, now, sparse)
-    both = _look_at(pose, known.shape, [*owners, *beside], np.vstack([now, before]), sparse)
+    both = _look_at(pose, known.shape, [*owners, *beside], np.vstack([now, before]), sparse, shared_noise=_share_noise([look]))
     if look is not None and look.score >= FOUND_SCORE:
         # what both epochs' points draw to another place alike was placed badly, and has not moved
         places = [pose] if both is None else [pose, both.place]
@@ -77,7 +77,7 @@ def score_at_rest(
     best = max(here, key=lambda look: look.score, default=None)
     if best is None or best.score < max(FOUND_SCORE, *(look.score for look in looks if look is not None)):
         return math.nan, pose
-    both = _look_at(pose, known.shape, [*owners, *beside], np.vstack([now, before]), sparse)
+    both = _look_at(pose, known.shape, [*owners, *beside], np.vstack([now, before]), sparse, shared_noise=_share_noise(looks))
     return math.nan if both is None or both.score < FOUND_SCORE else max(both.score, known.score), best.place
 
 
@@ -137,19 +137,39 @@ def _said_once(first: float, second: float) -> float:
     return float(1 / (1 + np.exp(-log_odds)))
 
 
+def _share_noise(looks: Sequence[SecondLook | None]) -> bool:
+    """Whether neighbours share their noise in the points of one epoch that were looked at."""
+    return any(look is not None and look.shared_noise for look in looks)
+
+
 def _look_at(
-    pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray, sparse: bool, *, settle: bool = True
+    pose: Pose,
+    shape: UnitType,
+    owners: Sequence[FittedUnit],
+    around: FloatArray,
+    sparse: bool,
+    *,
+    settle: bool = True,
+    shared_noise: bool = False,
 ) -> SecondLook | None:
-    """What an epoch's (n, 3) points say of a pose among its units; None in rich clouds."""
-    look = _judged(pose, shape, owners, around, settle=settle, rich=False)
-    return look if look is not None and (look.smoothed or sparse) else None
+    """What (n, 3) points of an epoch, or of two, say of a pose among its units; None in rich clouds."""
+    look = _judged(pose, shape, owners, around, settle=settle, rich=False, shared_noise=shared_noise)
+    return look if look is not None and (look.noisy or sparse) else None
 
 
 def _judged(
-    pose: Pose, shape: UnitType, owners: Sequence[FittedUnit], around: FloatArray, *, settle: bool, rich: bool, twist: bool = False
+    pose: Pose,
+    shape: UnitType,
+    owners: Sequence[FittedUnit],
+    around: FloatArray,
+    *,
+    settle: bool,
+    rich: bool,
+    twist: bool = False,
+    shared_noise: bool = False,
 ) -> SecondLook | None:
     """The same whatever limits what the epoch shows; None where few points are there, or rich ones unless ``rich`` asks for these."""
     alike = [owner for owner in owners if owner.shape == shape]
     others = np.array([owner.pose.as_row() for owner in alike]).reshape(-1, 12)
     scores = np.array([owner.score for owner in alike])
-    return second_look(around, pose.as_row(), others, scores, shape, settle=settle, rich=rich, twist=twist)
+    return second_look(around, pose.as_row(), others, scores, shape, settle=settle, rich=rich, twist=twist, shared_noise=shared_noise)

@@ -127,11 +127,11 @@ surveys by laser and by images matched ideally, 0.75 to 0.83 where hollows of 5 
 MOST_LOG_ODDS = 6.0
 """Of the rich model, that a bridged cloud believes, of the noisy one, that a cloud of shared noise does; of the smoothed one, that raw
 points believe."""
-WITH_RESIDUALS = Weights(-17.57, (0.84, -2.24, 4.94, -2.69, 0.73))
-"""Of :func:`residual_features`, in noise of 3.3 and 1.3 % of the height: at 2.1 % they hold as well."""
+WITH_RESIDUALS = Weights(-27.92, (0.91, -1.41, 3.87, -5.99, 0.55))
+"""Of :func:`residual_features`, in noise of 1.3, 2.1 and 3.3 % of the height."""
 MOST_WITHIN = 1.15
 """Variance of points within patches, over that of the noise, beyond which more says nothing: on sure poses 1.1 to 1.16."""
-USUAL_RESIDUALS, FEWEST_SURE = (0.8, 1.2, -3.75), 3
+USUAL_RESIDUALS, FEWEST_SURE = (0.55, 1.2, -3.75), 3
 """Raw residuals, medians over the sure poses of a cloud, that no simulated one exceeds; where those of so many do, what is beyond (moulds
 that differ, strips that do not fit) says nothing."""
 

@@ -7,6 +7,7 @@ one side here and on the other there. Smoothing takes both for a surface, and it
 from __future__ import annotations
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.neighbourhood import build_grid
@@ -24,11 +25,19 @@ FEWEST_OF_PATCH, FEWEST_PATCHES = 6, 3
 """Points of a patch that have a mean, and such patches of a pose that its residuals tell anything of."""
 LEAST_CHI_SQUARE, LEAST_SHARE = 0.3, 0.02
 """Added before the logarithm."""
-UNKNOWN = (0.26, 0.0, 0.0)
+UNKNOWN = (0.26, 1.0, 0.0)
 """Of a pose without enough patches: means as the noise has them, and nothing that speaks for it."""
+FIT_LIMIT, FIT_ROUNDS, MOST_FITTED = 4.0, 10, 1500
+"""Distance from the surface, in standard deviations of a point, at which a point no longer draws a pose (Tukey's biweight); rounds; points
+of a pose that take part."""
+LARGEST_STEP, RIDGE = 0.05, 1e-3
+"""Of a round, as a share of the height; added to the diagonal of the normal matrix, as a share of its mean over shifts: the turn about a
+leg may be open."""
 
 
-def raw_residuals(points: FloatArray, poses: FloatArray, unit: UnitType, noise: float) -> FloatArray:
+def raw_residuals(
+    points: FloatArray, poses: FloatArray, unit: UnitType, noise: float, *, first: int = 0, settle: bool = True
+) -> FloatArray:
     """(k, 3) how (n, 3) raw points lie to (k, 12) poses that compete for them, reduced frame, metres.
 
     Logarithm of the mean of squared means over patches of the surface, in standard deviations of these; variance of points within patches
@@ -39,22 +48,58 @@ def raw_residuals(points: FloatArray, poses: FloatArray, unit: UnitType, noise: 
     ----------
     noise
         Standard deviation of a point across the surface, metres.
+    first
+        Pose from which on it is asked; nothing is said of those before.
+    settle
+        Take each pose to where its points lie closest to it: elements of a shared surface lie beside them.
     """
     out = np.tile(UNKNOWN, (len(poses), 1))
     if not len(poses) or not len(points):
         return out
-    labels, _ = assign(points, poses, unit, OWNED * noise)
-    doubtful = contested(points, labels, poses, unit, noise)
     reach = unit.reach + REACH * noise
     grid = build_grid(points, 0.25 * reach)
-    for k, pose in enumerate(poses):
-        near = grid.within(pose[:3], reach)
+    if settle:
+        labels, doubtful = _owned(points, poses, unit, noise)
+        poses = poses.copy()
+        for k in range(first, len(poses)):
+            near = grid.within(poses[k, :3], reach)
+            near = near[((labels[near] == k) | (labels[near] < 0)) & ~doubtful[near]]
+            poses[k] = _settled(poses[k], points[near[:: -(-len(near) // MOST_FITTED) or 1]], unit, noise)
+    labels, doubtful = _owned(points, poses, unit, noise)
+    for k in range(first, len(poses)):
+        near = grid.within(poses[k, :3], reach)
         near = near[(labels[near] == k) | (labels[near] < 0)]
-        body = (points[near] - pose[:3]) @ pose[3:].reshape(3, 3)
+        body = (points[near] - poses[k, :3]) @ poses[k, 3:].reshape(3, 3)
         relation = relate(body, unit)
         own = ~doubtful[near] & (relation.axial < TIP_RATIO * unit.leg_length)
         out[k] = _of_pose(relation, _patches(body, relation, unit), relation.distance / noise, own, unit)
     return out
+
+
+def _owned(points: FloatArray, poses: FloatArray, unit: UnitType, noise: float) -> tuple[IntArray, BoolArray]:
+    """Pose that each of (n, 3) points lies nearest to, -1 for none, and whether it may as well be another one's."""
+    labels, _ = assign(points, poses, unit, OWNED * noise)
+    return labels, contested(points, labels, poses, unit, noise)
+
+
+def _settled(pose: FloatArray, points: FloatArray, unit: UnitType, noise: float) -> FloatArray:
+    """A (12,) pose where (n, 3) points lie closest to it: robust least squares of their distances."""
+    centre, turn = pose[:3], pose[3:].reshape(3, 3)
+    for _ in range(FIT_ROUNDS):
+        body = (points - centre) @ turn
+        relation = relate(body, unit)
+        weights = np.maximum(1 - (relation.distance / (FIT_LIMIT * noise)) ** 2, 0.0) ** 2
+        # turns in heights, so that all six are lengths
+        rows = -np.hstack([relation.normal, np.cross(body, relation.normal) / unit.height])
+        normal = (weights[:, None] * rows).T @ rows
+        spread = np.trace(normal[:3, :3]) / 3
+        if spread <= 0:
+            break
+        step = -np.linalg.solve(normal + RIDGE * spread * np.eye(6), rows.T @ (weights * relation.distance)) / unit.height
+        step /= max(1.0, float(np.abs(step).max()) / LARGEST_STEP)
+        centre = centre + turn @ step[:3] * unit.height
+        turn = turn @ Rotation.from_rotvec(step[3:]).as_matrix()
+    return np.concatenate([centre, turn.ravel()])
 
 
 def _patches(body: FloatArray, relation: SurfaceRelation, unit: UnitType) -> IntArray:
@@ -71,17 +116,20 @@ def _patches(body: FloatArray, relation: SurfaceRelation, unit: UnitType) -> Int
 def _of_pose(relation: SurfaceRelation, patch: IntArray, residual: FloatArray, own: BoolArray, unit: UnitType) -> FloatArray:
     """(3,) of one pose from (n,) residuals in standard deviations; ``own`` (n,) whether they are no other unit's, nor of a rounded tip."""
     on = np.abs(residual) < WINDOW
+    if not on.any():
+        return np.array(UNKNOWN)
     used = on & own
     count, total, squares = (
         np.bincount(patch[used], weights, minlength=NUMBER_OF_CELLS) for weights in (None, residual[used], residual[used] ** 2)
     )
     full = count >= FEWEST_OF_PATCH
     patches = np.count_nonzero(full)
-    if patches < FEWEST_PATCHES:
-        return np.array(UNKNOWN)
-    between = np.sum(total[full] ** 2 / count[full])
-    within = (squares[full].sum() - between) / (count[full].sum() - patches)
+    chi_square, within = UNKNOWN[:2]
+    if patches >= FEWEST_PATCHES:
+        between = np.sum(total[full] ** 2 / count[full])
+        chi_square = np.log(between / patches + LEAST_CHI_SQUARE)
+        within = (squares[full].sum() - between) / (count[full].sum() - patches)
     depth = np.where(residual < -DEEP, 3.0, np.where(residual < -WINDOW, 1.0, 0.0))
     outer = np.bincount(relation.leg, depth * (relation.axial > OUTER_SHARE * unit.leg_length), minlength=4)
-    inside = (depth.sum() - outer.max()) / max(np.count_nonzero(on), 1)
-    return np.array([np.log(between / patches + LEAST_CHI_SQUARE), within, np.log(inside + LEAST_SHARE)])
+    inside = (depth.sum() - outer.max()) / np.count_nonzero(on)
+    return np.array([chi_square, within, np.log(inside + LEAST_SHARE)])

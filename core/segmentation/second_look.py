@@ -49,15 +49,19 @@ class SecondLook:
         0 to 1, as of a pose that was found there.
     pose
         (12,) centre and rotation by rows, refined where that was asked for.
-    smoothed
-        Whether the points were so noisy that their elements were moved onto the surface they share; else they are sparse.
+    noisy
+        Whether noise limits what the points show: their elements were moved onto the surface they share, or neighbours share it. Else they
+        are sparse or rich.
+    shared_noise
+        Whether neighbours share it.
     certainty
         0 to 1, how far the turn about a leg is known: see :mod:`.twist`; 1 where that was not asked.
     """
 
     score: float
     pose: FloatArray
-    smoothed: bool
+    noisy: bool
+    shared_noise: bool = False
     certainty: float = 1.0
 
     @property
@@ -76,6 +80,7 @@ def second_look(
     settle: bool = True,
     rich: bool = False,
     twist: bool = False,
+    shared_noise: bool = False,
 ) -> SecondLook | None:
     """Judge a (12,) pose by the (n, 3) points around it, reduced frame; None where these are rich: rock looks alike in all epochs then.
 
@@ -91,13 +96,16 @@ def second_look(
         Judge it by rich points as well, for what speaks against it.
     twist
         Ask how far its turn about a leg is known, and turn it to the middle of what is left.
+    shared_noise
+        Whether neighbours are known to share their noise: of points of two epochs every other neighbour has its own.
     """
     if len(points) < FEWEST_POINTS:
         return None
-    cloud = cloud_elements(points, unit, workers=1)
+    cloud = cloud_elements(points, unit, workers=1, shared_noise=shared_noise)
     points, elements, tolerance = cloud.points, cloud.elements, cloud.tolerance
     scene = Scene.of(elements, unit, tolerance)
-    poor = scene.smoothed or is_sparse(scene)
+    noisy = scene.smoothed or scene.shared_noise
+    poor = noisy or is_sparse(scene)
     if not (poor or rich):
         return None
     poses, own = np.vstack([others, pose]), len(others)
@@ -115,11 +123,12 @@ def second_look(
     likely = score_in_company(score(found, tolerance, typical), found, company, tolerance, typical)
     if scene.smoothed:
         # of the units around a part is seen here: what is usual on them cannot be told
-        likely = score_with_residuals(likely, raw_residuals(points, poses, unit, cloud.thinned.noise)[own:], found.support)
+        residuals = raw_residuals(points, poses, unit, scene.noise, first=own, settle=settle)[own:]
+        likely = score_with_residuals(likely, residuals, found.support)
     settled, certainty = poses[own], 1.0
     if twist:
         settled, certainty = settle_twist(settled, found, others, scores, scene, owner == own, owner < 0)
-    return SecondLook(float(likely[0]), settled, scene.smoothed, certainty)
+    return SecondLook(float(likely[0]), settled, noisy, scene.shared_noise, certainty)
 
 
 def _typical_around(poses: FloatArray, owner: IntArray, scene: Scene) -> TypicalUnit:

@@ -237,8 +237,8 @@ class CloudElements(NamedTuple):
     tolerance: float
 
 
-def cloud_elements(points: FloatArray, unit: UnitType, *, workers: int = -1) -> CloudElements:
-    """Elements of (n, 3) points, reduced frame, metres."""
+def cloud_elements(points: FloatArray, unit: UnitType, *, workers: int = -1, shared_noise: bool = False) -> CloudElements:
+    """Elements of (n, 3) points, reduced frame, metres; ``shared_noise`` says that neighbours are known to share theirs."""
     thinned = surface_elements(points, unit.height, workers=workers)
     kept = innermost_layer(points, thinned.points, unit.height, surely=True)
     if kept is None or np.count_nonzero(kept) < FEWEST_POINTS:
@@ -248,7 +248,9 @@ def cloud_elements(points: FloatArray, unit: UnitType, *, workers: int = -1) -> 
         thinned = replace(surface_elements(points, unit.height, workers=workers), layered=True)
     tolerance = 2.5 * thinned.element_noise
     elements = thinned
-    if tolerance > SHARED_RATIO * unit.height and neighbours_share_noise(points, thinned.points, unit.height, thinned.noise):
+    if tolerance > SHARED_RATIO * unit.height and (
+        shared_noise or neighbours_share_noise(points, thinned.points, unit.height, thinned.noise)
+    ):
         elements = replace(thinned, shared_noise=True)
     elif tolerance > NOISY_RATIO * unit.height:
         elements = smoothed(points, thinned, unit.height)

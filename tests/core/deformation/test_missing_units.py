@@ -158,7 +158,7 @@ def test_what_rests_counts_once_and_its_noise_twice(monkeypatch: pytest.MonkeyPa
 
     def look(around: np.ndarray, pose: np.ndarray, others: np.ndarray, *_: object, **__: object) -> SecondLook:
         looks.append((len(around), len(others)))
-        return SecondLook(0.72, pose, smoothed=True)
+        return SecondLook(0.72, pose, noisy=True)
 
     monkeypatch.setattr(evidence_of_epochs, "second_look", look)
     # the first of the neighbours that the other epoch shows stands where this one shows it as well
@@ -169,8 +169,21 @@ def test_what_rests_counts_once_and_its_noise_twice(monkeypatch: pytest.MonkeyPa
     assert answer["score"][0] == 0.72
     # what its own epoch is surer of stays so unless the points speak against it
     assert asked(points, points, owners, score=0.9)["score"][0] == 0.72
-    monkeypatch.setattr(evidence_of_epochs, "second_look", lambda _, pose, *__, **___: SecondLook(0.85, pose, smoothed=True))
+    monkeypatch.setattr(evidence_of_epochs, "second_look", lambda _, pose, *__, **___: SecondLook(0.85, pose, noisy=True))
     assert asked(points, points, owners, score=0.9)["score"][0] == 0.9
+
+
+def test_noise_that_neighbours_share_in_one_epoch_is_known_to_be_shared_in_two(monkeypatch: pytest.MonkeyPatch) -> None:
+    points, owners = noisy_pile(np.random.default_rng(7))
+    told: dict[int, bool] = {}
+
+    def look(around: np.ndarray, pose: np.ndarray, *_: object, shared_noise: bool, **__: object) -> SecondLook:
+        told[len(around)] = shared_noise
+        return SecondLook(0.72, pose, noisy=True, shared_noise=len(around) == len(points))
+
+    monkeypatch.setattr(evidence_of_epochs, "second_look", look)
+    asked(points, points, owners, score=0.7)
+    assert told == {len(points): False, 2 * len(points): True}
 
 
 def test_where_both_epochs_are_rich_together_they_speak_once(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -178,7 +191,7 @@ def test_where_both_epochs_are_rich_together_they_speak_once(monkeypatch: pytest
     points, owners = noisy_pile(rng)
 
     def look(around: np.ndarray, pose: np.ndarray, *_: object, **__: object) -> SecondLook | None:
-        return SecondLook(0.7, pose, smoothed=True) if len(around) == len(points) else None
+        return SecondLook(0.7, pose, noisy=True) if len(around) == len(points) else None
 
     monkeypatch.setattr(evidence_of_epochs, "second_look", look)
     assert asked(points, points, owners, score=0.7)["score"][0] == pytest.approx(0.7)
@@ -204,10 +217,10 @@ def test_a_unit_rests_where_it_is_predicted_or_where_points_draw_it(monkeypatch:
 
     def look(around: np.ndarray, pose: np.ndarray, *_: object, settle: bool = True, **__: object) -> SecondLook:
         if len(around) > len(points):
-            return SecondLook(said["together"], pose, smoothed=True)
+            return SecondLook(said["together"], pose, noisy=True)
         if not settle:
-            return SecondLook(said["still"], pose, smoothed=True)
-        return SecondLook(said["drawn"], np.concatenate([said["to"].centre, said["to"].rotation.ravel()]), smoothed=True)
+            return SecondLook(said["still"], pose, noisy=True)
+        return SecondLook(said["drawn"], np.concatenate([said["to"].centre, said["to"].rotation.ravel()]), noisy=True)
 
     monkeypatch.setattr(evidence_of_epochs, "second_look", look)
     rival = fitted(far, np.zeros((0, 3)))

@@ -36,11 +36,31 @@ def test_points_of_a_unit_lie_as_the_noise_says(cloud):
 
 def test_patches_of_a_wrong_pose_lie_off_its_surface(cloud):
     beside = TRUE.shifted(np.array([0.03 * H, 0, 0]))
-    right, wrong = (raw_residuals(cloud, row(pose)[None], UNIT, NOISE)[0] for pose in (TRUE, beside))
+    right, wrong = (raw_residuals(cloud, row(pose)[None], UNIT, NOISE, settle=False)[0] for pose in (TRUE, beside))
     assert wrong[0] > right[0] + 0.7
     scores = score_with_residuals(np.array([0.65, 0.65]), np.vstack([right, wrong]), np.full(2, 150.0))
     assert scores[0] > 0.7
     assert scores[1] < 0.4
+
+
+def test_a_pose_is_taken_to_its_points_first(cloud):
+    beside = Pose(np.array([0.03 * H, -0.02 * H, 0]), Rotation.from_rotvec([0.0, 0.06, 0.0]).as_matrix() @ TRUE.rotation)
+    right, drawn = (raw_residuals(cloud, row(pose)[None], UNIT, NOISE)[0] for pose in (TRUE, beside))
+    assert drawn == pytest.approx(right, abs=0.02)
+    # each of several to its own, and those before the first that is asked for stay where they are
+    two = np.array([row(beside), row(beside.shifted(np.array([3 * H, 0, 0])))])
+    both = np.vstack([cloud, cloud + np.array([3 * H, 0, 0])])
+    assert raw_residuals(both, two, UNIT, NOISE) == pytest.approx(np.array([right, right]), abs=0.15)
+    assert raw_residuals(both, two, UNIT, NOISE, first=1) == pytest.approx(np.array([UNKNOWN, right]), abs=0.15)
+
+
+def test_what_is_no_unit_lies_off_its_surface_wherever_it_is_taken(cloud):
+    rng = np.random.default_rng(4)
+    rock = rng.normal(size=(6000, 3))
+    rock *= 0.35 * H / np.linalg.norm(rock, axis=1)[:, None]
+    rock = rock[rock[:, 2] > 0] + rng.normal(0, NOISE, (np.count_nonzero(rock[:, 2] > 0), 3))
+    right, wrong = (raw_residuals(points, row(TRUE)[None], UNIT, NOISE)[0] for points in (cloud, rock))
+    assert wrong[0] > right[0] + 0.7
 
 
 def test_points_inside_speak_against_a_pose_but_for_one_broken_leg(cloud):
@@ -82,5 +102,5 @@ def test_what_all_sure_poses_of_a_cloud_show_speaks_against_none():
 
 def test_few_elements_agree_by_chance():
     good = np.tile([0.0, 1.5, -3.9], (2, 1))
-    few, many = score_with_residuals(np.array([0.4, 0.4]), good, np.array([60.0, 400.0]))
+    few, many = score_with_residuals(np.array([0.2, 0.2]), good, np.array([60.0, 400.0]))
     assert few < many - 0.1

@@ -8,6 +8,7 @@ from tetratrack.core.common.voxels import thin
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.segmentation.pose_score import BRIDGED, MATCHED, TypicalUnit, score, typical_unit
 from tetratrack.core.segmentation.scene import Evidence, Scene
+from tetratrack.core.segmentation.second_look import second_look
 from tetratrack.core.segmentation.segment import FOUND_SCORE, cloud_elements, segment
 from tetratrack.core.segmentation.shared_noise import neighbours_share_noise
 from tetratrack.core.segmentation.surface_elements import THINNING_RATIO
@@ -19,10 +20,10 @@ H = UNIT.height
 ROWS = interlocked_poses(UNIT, columns=3, lower_rows=2, upper_rows=1)
 
 
-def noised(shared: float, single: float, count: int = 30000) -> np.ndarray:
+def noised(shared: float, single: float, count: int = 30000, seeds: tuple[int, ...] = (1, 2, 3)) -> np.ndarray:
     """Points on all units that deviate by what neighbours share and by what is their own, standard deviations in heights."""
     points = cloud_of(UNIT, ROWS, single * H, np.random.default_rng(5), count=count).points
-    field = [smooth_field(points, np.random.default_rng(seed), 0.1 * H, 0.15 * H) for seed in (1, 2, 3)]
+    field = [smooth_field(points, np.random.default_rng(seed), 0.1 * H, 0.15 * H) for seed in seeds]
     return np.asarray(points + shared * H * np.column_stack(field))
 
 
@@ -70,3 +71,20 @@ def test_units_are_found_in_shared_noise(matched):
     away = [min(np.linalg.norm(u.pose.centre - pose.centre) for u in found) for pose in ROWS]
     assert len(found) == len(ROWS)
     assert max(away) < 0.04 * H
+
+
+def test_a_second_look_takes_shared_noise_for_poor(matched):
+    others = np.array([pose.as_row() for pose in ROWS[1:]])
+    around = matched[np.linalg.norm(matched - ROWS[0].centre, axis=1) < 1.35 * UNIT.reach]
+    again = noised(0.018, 0.006, seeds=(4, 5, 6))
+    again = again[np.linalg.norm(again - ROWS[0].centre, axis=1) < 1.35 * UNIT.reach]
+    looks = [
+        second_look(points, ROWS[0].as_row(), others, np.ones(len(others)), UNIT, shared_noise=known)
+        for points, known in ((around, False), (np.vstack([around, again]), True))
+    ]
+    for look in looks:
+        assert look is not None
+        assert look.noisy
+        assert look.shared_noise
+        assert look.score > 0.9
+        assert np.linalg.norm(look.place.centre - ROWS[0].centre) < 0.04 * H
