@@ -16,7 +16,18 @@ from .conic_ransac import find_legs
 from .innermost_layer import innermost_layer
 from .pose_evidence import NUMBER_OF_CELLS, evidence
 from .pose_refinement import refine
-from .pose_score import SPARSE, SURE_ALONE, TypicalUnit, is_sparse, score, score_among, score_with_residuals, typical_unit, where_bridged
+from .pose_score import (
+    RICH,
+    SPARSE,
+    SURE_ALONE,
+    TypicalUnit,
+    is_sparse,
+    score,
+    score_among,
+    score_with_residuals,
+    typical_unit,
+    where_bridged,
+)
 from .raw_residuals import raw_residuals
 from .scene import COLUMNS, Evidence, Scene
 from .shared_noise import neighbours_share_noise
@@ -50,6 +61,9 @@ CHANCE_SCORE = 0.2
 FEWEST_FOUND_CELLS = 8
 """Cells of the surface, of 132, on fewer of which no pose is stated as found by one cloud alone: two of ten such poses of simulated surveys
 were rock that fits by chance, one of 1980 others was. Where another epoch shows the unit, that makes it found."""
+SURE_OF_FEW, EXACT = 0.85, 1.5
+"""Score, and misfit in multiples of the usual one, of poses on fewer cells that are stated in rich clouds all the same: rock that fits so
+little by chance hardly ever fits it as closely as a surface does, see ``docs/segmentation.md``."""
 ELEMENTS_OF_DENSE_CELL = 18.0
 """Supporting elements per cell of sure units in the clouds on which these were counted; see :func:`fewest_found_cells`."""
 SHARED_RATIO = 0.02
@@ -319,9 +333,9 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
         for j in stronger[np.sum((poses[stronger, :3] - poses[k, :3]) ** 2, axis=1) < (2 * unit.reach) ** 2]:
             shared[k] = max(shared[k], overlap(poses[k], poses[j], unit))
     entered = shared > (MOST_IN_NOISE if elements.smoothed or elements.shared_noise else MOST_INTERPENETRATION)
-    fewest = fewest_found_cells(seen, found, judged.typical)
     kept = np.flatnonzero((found >= LISTED_EVIDENCE) & (scores >= LISTED_SCORE))
-    but_for_twist = (found >= FOUND_SCORE) & (seen.cells >= fewest) & ~entered
+    least = least_scores(seen, found, judged.typical)
+    but_for_twist = (found >= least) & ~entered
     stated = poses[kept]
     if elements.smoothed:
         # a shared surface is drawn inwards where it bends; from there, points would be taken from one side more than from the other
@@ -333,11 +347,11 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
             score=float(scores[k]),
             coverage=float(seen.cells[k] / NUMBER_OF_CELLS),
             legs_visible=int(seen.legs[k]),
-            status="found" if scores[k] >= FOUND_SCORE and but_for_twist[k] else "uncertain",
+            status="found" if scores[k] >= least[k] and but_for_twist[k] else "uncertain",
             misfit=float(seen.misfit[k]),
             interpenetration=float(shared[k]),
             supported=float(seen.support[k] / max(seen.reached[k], 1)),
-            twist_open=bool(but_for_twist[k] and scores[k] < FOUND_SCORE),
+            twist_open=bool(but_for_twist[k] and scores[k] < least[k]),
         )
         for k, pose in zip(kept, stated, strict=True)
     )
@@ -345,6 +359,17 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
     labels = np.full(len(points), -1, dtype=np.int64)
     labels[judged.kept], _ = assign(points[judged.kept], stated, unit, window, clearance=clearance(elements.noise, unit.height))
     return Segmentation(units=units, labels=labels, spacing=elements.spacing, noise=elements.noise, tolerance=tolerance)
+
+
+def least_scores(seen: Evidence, scores: FloatArray, typical: TypicalUnit) -> FloatArray:
+    """(k,) score from which each pose of a cloud is found, from the evidence for them and their scores; not finite where it never is.
+
+    What rests on few cells must be surer where the cloud is rich, and lie as closely to its elements as the others do; elsewhere it is not
+    found.
+    """
+    exact = (seen.cells >= FEWEST_CELLS) & (seen.misfit <= EXACT * typical.misfit) & (typical.model is RICH)
+    few = np.where(exact, SURE_OF_FEW, np.inf)
+    return np.where(seen.cells >= fewest_found_cells(seen, scores, typical), FOUND_SCORE, few)
 
 
 def fewest_found_cells(seen: Evidence, scores: FloatArray, typical: TypicalUnit) -> int:

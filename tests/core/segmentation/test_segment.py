@@ -20,7 +20,7 @@ from tetratrack.core.segmentation.pose_evidence import AZIMUTH_CELLS, LAST_OF_TU
 from tetratrack.core.segmentation.pose_refinement import refine
 from tetratrack.core.segmentation.pose_score import BRIDGED, NOISY, RICH, SMOOTHED, SPARSE, ScoreModel, TypicalUnit, score, where_bridged
 from tetratrack.core.segmentation.scene import CELLS, CLOSE, COLUMNS, MISFIT, REACHED, SUPPORT, Evidence, Scene
-from tetratrack.core.segmentation.segment import FEWEST_FOUND_CELLS, FOUND_SCORE, fewest_found_cells, segment
+from tetratrack.core.segmentation.segment import FEWEST_FOUND_CELLS, FOUND_SCORE, SURE_OF_FEW, fewest_found_cells, least_scores, segment
 from tetratrack.core.segmentation.surface_elements import surface_elements
 from tetratrack.core.segmentation.verification import FEWEST_CELLS, overlap, without_copies
 from tetratrack.core.simulation.sampled_unit import interlocked_rows
@@ -295,6 +295,21 @@ def test_the_fewest_cells_of_a_found_unit_go_with_what_cells_hold_in_a_sparse_cl
     assert fewest_found_cells(both, np.array([0.95, 0.95, 0.7, 0.7]), sparse) == fewest
     assert fewest_found_cells(units_of(per_cell), np.array([0.8, 0.8]), sparse) == FEWEST_FOUND_CELLS
     assert fewest_found_cells(Evidence.joined([]), np.zeros(0), sparse) == FEWEST_FOUND_CELLS
+
+
+def test_few_cells_are_enough_in_a_rich_cloud_where_they_fit_closely() -> None:
+    # support, close, inside, cells, legs, misfit, reached
+    few = Evidence(
+        np.array(
+            [[90.0, 92.0, 0.0, cells, 2.0, misfit, 95.0] for cells, misfit in ((8, 0.05), (7, 0.014), (5, 0.014), (7, 0.02), (4, 0.01))]
+        )
+    )
+    scores = np.full(len(few), 0.9)
+    assert least_scores(few, scores, TypicalUnit(0.01, 1.0, model=RICH)) == pytest.approx(
+        [FOUND_SCORE, SURE_OF_FEW, SURE_OF_FEW, np.inf, np.inf]
+    )
+    for model in (NOISY, SMOOTHED, BRIDGED):
+        assert not np.isfinite(least_scores(few, scores, TypicalUnit(0.01, 1.0, model=model))[1:]).any()
 
 
 @pytest.mark.parametrize("model", [RICH, NOISY, SMOOTHED])
