@@ -1,4 +1,4 @@
-"""Axis of least scatter of points in space, for compiled loops over small neighbourhoods."""
+"""Axis of least scatter of points in space, and directions across it, for compiled loops over small neighbourhoods."""
 
 from __future__ import annotations
 
@@ -43,6 +43,18 @@ def least_axis(xx: float, xy: float, xz: float, yy: float, yz: float, zz: float)
     if yy <= zz:
         return vx, vy, vz
     return wx, wy, wz
+
+
+@kernel()
+def across(x: float, y: float, z: float) -> Any:
+    """Two unit vectors that complete a unit vector to a right-handed frame."""
+    if abs(x) < 0.8:
+        f1, f2, f3 = 0.0, z, -y
+    else:
+        f1, f2, f3 = -z, 0.0, x
+    size = np.sqrt(f1 * f1 + f2 * f2 + f3 * f3)
+    f1, f2, f3 = f1 / size, f2 / size, f3 / size
+    return f1, f2, f3, y * f3 - z * f2, z * f1 - x * f3, x * f2 - y * f1
 
 
 @kernel()

@@ -81,11 +81,12 @@ def cross_check(
         return _nothing(f"fewer than {MIN_POINTS} points in one epoch")
     start = _motion(pose_before, pose_after)
     source, target = _thinned(after), _thinned(before)
-    spacing = float(np.median(cKDTree(target).query(target, k=2)[0][:, 1]))
+    tree = cKDTree(target)
+    spacing = float(np.median(tree.query(target, k=2)[0][:, 1]))
     reach = 4 * (spacing + noise)
     guess = np.linalg.inv(start)
     moved = source @ guess[:3, :3].T + guess[:3, 3]
-    overlap = float(np.mean(cKDTree(target).query(moved)[0] < reach))
+    overlap = float(np.mean(tree.query(moved)[0] < reach))
     if overlap < 0.2:
         return _nothing("too little surface is seen in both epochs")
     clouds = [small_gicp.PointCloud(points) for points in (target, source)]
@@ -98,7 +99,7 @@ def cross_check(
     motion = np.linalg.inv(result.T_target_source)
     vector = motion[:3, :3] @ pose_before.centre + motion[:3, 3] - pose_before.centre
     aligned = source @ result.T_target_source[:3, :3].T + result.T_target_source[:3, 3]
-    own = _covariance(target, clouds[0].normals()[:, :3], aligned, pose_before.centre, reach)
+    own = _covariance(tree, clouds[0].normals()[:, :3], aligned, pose_before.centre, reach)
     gap = vector - (pose_after.centre - pose_before.centre)
     # both use the same points: their difference varies by less than the sum, so that the test errs on the side of agreement
     statistic = float(gap @ np.linalg.solve(own + covariance, gap))
@@ -145,17 +146,17 @@ def _thinned(points: FloatArray) -> FloatArray:
     return np.ascontiguousarray(points[:: max(1, math.ceil(len(points) / MAX_POINTS))])
 
 
-def _covariance(target: FloatArray, normals: FloatArray, source: FloatArray, centre: FloatArray, reach: float) -> FloatArray:
-    """(3, 3) covariance of the translation at the centre from the point-to-plane system at the solution.
+def _covariance(tree: cKDTree, normals: FloatArray, source: FloatArray, centre: FloatArray, reach: float) -> FloatArray:
+    """(3, 3) covariance of the translation at the centre from the point-to-plane system at the solution, to the points of a tree.
 
     Neighbouring normals come from the same few points, so that of the points on one patch only as many count as independent as
     there are such patches: one in the root of NEIGHBOURS.
     """
-    distance, nearest = cKDTree(target).query(source)
+    distance, nearest = tree.query(source)
     good = distance < reach
     across = normals[nearest[good]]
     arms = source[good] - centre
-    residuals = np.einsum("ni,ni->n", source[good] - target[nearest[good]], across)
+    residuals = np.einsum("ni,ni->n", source[good] - tree.data[nearest[good]], across)
     rows = np.hstack([across, np.cross(arms, across)])
     scale = sd_of_deviations(residuals)
     length = float(np.sqrt(np.mean(np.sum(arms**2, axis=1))))

@@ -80,17 +80,33 @@ def observations(
     n = len(points)
     found = StripObservations(np.zeros((n if derived else 0, 7)), np.zeros(n), np.full(n, -1, dtype=np.int64), strips)
     _observe(np.ascontiguousarray(points, dtype=np.float64), strips, offsets, body, (margin, tip), found)
-    _leave_out_thin(found.patches)
+    leave_out_thin(found.patches, np.zeros(CELLS, dtype=np.int64))
     return found
 
 
-def _leave_out_thin(patches: IntArray) -> None:
-    """Leave out the points of patches that hold far fewer than those of their sighting do, in place."""
-    counts = np.bincount(patches + 1, minlength=CELLS + 1)[1:]
-    if counts.any():
-        thin = counts < THIN_SHARE * np.median(counts[counts > 0])
-        # -1 asks for the last patch, and stays what it is
-        patches[thin[patches]] = -1
+@kernel(releases=True)
+def leave_out_thin(patches: Any, counts: Any) -> None:
+    """Leave out the points of patches that hold far fewer than those of their sighting do, in place; ``counts`` (CELLS,) are zeros."""
+    for i in range(len(patches)):
+        if patches[i] >= 0:
+            counts[patches[i]] += 1
+    # how many patches hold so many points, up to the middle of them
+    held, patched = np.zeros(len(patches) + 1, dtype=np.int64), 0
+    for k in range(len(counts)):
+        if counts[k] > 0:
+            held[counts[k]] += 1
+            patched += 1
+    usual, seen, points = 0.0, 0, 0
+    while seen <= patched // 2 and seen < patched:
+        points += 1
+        # the mean of two in the middle of an even number
+        for place in ((patched - 1) // 2, patched // 2):
+            if seen <= place < seen + held[points]:
+                usual += 0.5 * points
+        seen += held[points]
+    for i in range(len(patches)):
+        if patches[i] >= 0 and counts[patches[i]] < THIN_SHARE * usual:
+            patches[i] = -1
 
 
 @kernel(releases=True)

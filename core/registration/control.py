@@ -13,6 +13,7 @@ import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from typing import Literal
 
@@ -167,42 +168,44 @@ def register(
     _check_spread(measured, noise, targets)
     _check_axes(surveyed, measured, noise, control, targets)
     pool = sum(r.sigma0**2 * r.redundancy for r in others), sum(r.redundancy for r in others)
-    used = _snoop(surveyed, measured, variances, similarity, level, pool)
+
+    @cache  # both searches for the targets to use end, as a rule, with the same ones
+    def tests(used: bytes) -> list[tuple[FloatArray, float]]:
+        kept = np.frombuffer(used, dtype=np.bool_)
+        return [_outlier_test(surveyed, measured, variances, kept, similarity, k, pool) for k in range(len(names))]
+
+    used = _snoop(surveyed, measured, variances, similarity, level, lambda used: np.array([p for _, p in tests(used.tobytes())]))
     fit = weighted_fit(surveyed, measured, variances, used, similarity)
     everything = weighted_fit(surveyed, measured, variances, np.ones(len(names), dtype=bool), similarity)
     residuals = fit.transformation.apply(measured) - surveyed
-    residual_rows = []
-    for k, name in enumerate(names):
-        statistic, p_value = _outlier_test(surveyed, measured, variances, used, similarity, k, pool)
-        residual_rows.append(
-            ControlResidual(
-                point_id=name,
-                position=surveyed[k],
-                residual=residuals[k],
-                sds=np.sqrt(variances[k]),
-                w_max=float(np.max(np.abs(statistic))),
-                p_value=p_value,
-                used=bool(used[k]),
-                outlier=not used[k],
-            )
+    residual_rows = tuple(
+        ControlResidual(
+            point_id=name,
+            position=surveyed[k],
+            residual=residuals[k],
+            sds=np.sqrt(variances[k]),
+            w_max=float(np.max(np.abs(statistic))),
+            p_value=p_value,
+            used=bool(used[k]),
+            outlier=not used[k],
         )
-    effect = 0.0
+        for k, (name, (statistic, p_value)) in enumerate(zip(names, tests(used.tobytes()), strict=True))
+    )
+    effect, where = 0.0, measured if reference is None else np.asarray(reference, dtype=np.float64).reshape(-1, 3)
     if not used.all():
-        where = measured if reference is None else np.asarray(reference, dtype=np.float64).reshape(-1, 3)
         shift = everything.transformation.apply(where) - fit.transformation.apply(where)
         effect = float(np.max(np.linalg.norm(shift, axis=1)))
     excluded = [name for name, kept in zip(names, used) if not kept]
-    notes = _notes(fit, unmatched, excluded, effect, "the targets" if reference is None else "the units")
+    notes = tuple(_notes(fit, unmatched, excluded, effect, "the targets" if reference is None else "the units"))
     # an a posteriori factor below 1 is not trusted: the stated deviations are the least a surveyor vouches for
     factor = max(1.0, fit.sigma0) ** 2 if fit.redundancy > 0 else 1.0
-    transformation = replace(fit.transformation, covariance=fit.transformation.covariance * factor)
     return Registration(
-        transformation=transformation,
-        residuals=tuple(residual_rows),
+        transformation=replace(fit.transformation, covariance=fit.transformation.covariance * factor),
+        residuals=residual_rows,
         sigma0=fit.sigma0,
         redundancy=fit.redundancy,
         exclusion_effect=effect,
-        notes=tuple(notes),
+        notes=notes,
     )
 
 
@@ -334,7 +337,7 @@ def _outlier_test(
     """
     others = used.copy()
     others[point] = False
-    if others.sum() < MIN_TARGETS or not _spread_enough(measured[others], float(math.sqrt(np.median(variances))), measured):
+    if others.sum() < MIN_TARGETS or not _spread_enough(measured[others], float(math.sqrt(np.median(variances))), _spread_across(measured)):
         return np.zeros(3), 1.0
     fit = weighted_fit(surveyed, measured, variances, others, similarity)
     moved = fit.transformation.apply(measured[point][None])
@@ -351,9 +354,16 @@ def _outlier_test(
 
 
 def _snoop(
-    surveyed: FloatArray, measured: FloatArray, variances: FloatArray, similarity: bool, level: float, pool: tuple[float, int]
+    surveyed: FloatArray,
+    measured: FloatArray,
+    variances: FloatArray,
+    similarity: bool,
+    level: float,
+    p_values: Callable[[BoolArray], FloatArray],
 ) -> BoolArray:
     """Points to use: from all points and from a robust start, the worst point out and any good one back in until nothing changes.
+
+    ``p_values`` of all points, each against those that are used.
 
     Several disturbed targets can hide each other from the first; the second begins with the points that agree best, which makes the
     noise look too small and good targets too far off. So the second counts only where its variance is significantly less.
@@ -361,9 +371,6 @@ def _snoop(
     count = len(surveyed)
     if count <= MIN_TARGETS + 1:
         return np.ones(count, dtype=bool)
-
-    def p_values(used: BoolArray) -> FloatArray:
-        return np.array([_outlier_test(surveyed, measured, variances, used, similarity, k, pool)[1] for k in range(count)])
 
     starts = np.ones(count, dtype=bool), _robust_start(surveyed, measured, variances)
     from_all, robust = (exclude_by_turns(p_values, start, level) for start in starts)
@@ -408,34 +415,35 @@ def _robust_start(surveyed: FloatArray, measured: FloatArray, variances: FloatAr
         rng = np.random.default_rng(0)
         triples = [tuple(t) for t in np.array(triples)[rng.choice(len(triples), 400, replace=False)]]
     keep = max(MIN_TARGETS + 1, count // 2 + 1)
-    best, chosen = math.inf, np.arange(keep)
-    noise = float(math.sqrt(np.median(variances)))
-    for triple in triples:
-        index = list(triple)
-        if not _spread_enough(measured[index], noise, measured):
-            continue
-        rotation, _ = _closed_form(measured[index], surveyed[index], np.ones(3), False)
-        moved = (measured - measured[index].mean(axis=0)) @ rotation.T + surveyed[index].mean(axis=0)
-        squares = np.sum((moved - surveyed) ** 2 / variances, axis=1)
-        order = np.argsort(squares)[:keep]
-        if squares[order[-1]] < best and _spread_enough(measured[order], noise, measured):
-            best, chosen = float(squares[order[-1]]), order
+    noise, across = float(math.sqrt(np.median(variances))), _spread_across(measured)
+    index = np.array([triple for triple in triples if _spread_enough(measured[list(triple)], noise, across)]).reshape(-1, 3)
+    from_places, to_places = measured[index], surveyed[index]
+    from_middle, to_middle = (places.mean(axis=1, keepdims=True) for places in (from_places, to_places))
+    rotations, _ = closest_rotation(np.swapaxes(to_places - to_middle, 1, 2) @ (from_places - from_middle))
+    moved = (measured - from_middle) @ np.swapaxes(rotations, 1, 2) + to_middle
+    squares = np.sum((moved - surveyed) ** 2 / variances, axis=2)
+    orders = np.argsort(squares, axis=1)[:, :keep]
+    farthest = np.take_along_axis(squares, orders[:, -1:], axis=1)[:, 0]
+    best = (orders[k] for k in np.argsort(farthest, kind="stable"))
+    chosen = next((order for order in best if _spread_enough(measured[order], noise, across)), np.arange(keep))
     used = np.zeros(count, dtype=bool)
     used[chosen] = True
     return used
 
 
-def _spread_enough(points: FloatArray, noise: float, network: FloatArray | None = None) -> bool:
+def _spread_across(network: FloatArray) -> float:
+    """Spread of (n, 3) points across their main direction, metres."""
+    return float(np.linalg.svd(network - network.mean(axis=0), compute_uv=False)[1]) / math.sqrt(len(network))
+
+
+def _spread_enough(points: FloatArray, noise: float, across: float = 0.0) -> bool:
     """Whether points lie so far off one line that the rotation about it is determined (better than about 10 degrees).
 
-    Of points chosen from a ``network`` more is asked: targets in one row agree with each other whatever the rotation about the row, and
-    would condemn all others. Noise alone, often understated, must not pass for a spread.
+    Of points chosen from a network, which spreads ``across`` its main direction, more is asked: targets in one row agree with each other
+    whatever the rotation about the row, and would condemn all others. Noise alone, often understated, must not pass for a spread.
     """
     values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    least = max(5 * noise, 1e-3 * values[0])
-    if network is not None:
-        whole = np.linalg.svd(network - network.mean(axis=0), compute_uv=False)[1]
-        least = max(least, LEAST_SPREAD * whole * math.sqrt(len(points) / len(network)))
+    least = max(5 * noise, 1e-3 * values[0], LEAST_SPREAD * across * math.sqrt(len(points)))
     return bool(values[1] > least)
 
 

@@ -13,10 +13,11 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.kernels import in_parts, kernel
+from ..common.least_axis import across
 from ..common.neighbourhood import gather
 from ..model.unit_types import UnitType
 from .cone_relation import ConeShape
-from .conic_ransac import Legs, across
+from .conic_ransac import Legs
 from .scene import Scene
 
 ABOUT_AS_GOOD = 0.9

@@ -16,6 +16,7 @@ import numpy as np
 
 from ..common.arrays import BoolArray, FloatArray, IntArray, corners
 from ..common.kernels import in_parts, kernel
+from ..common.least_axis import across
 from ..common.neighbourhood import gather
 from ..common.positive_definite import factorise, solve_factorised
 from .cone_relation import OrientedPoints
@@ -125,18 +126,6 @@ def spread(points: FloatArray, candidates: IntArray, spacing: float) -> IntArray
     order = np.lexsort((away, voxel))
     first = np.concatenate([[0], np.cumsum(count)[:-1]])
     return np.asarray(candidates[order[first]])
-
-
-@kernel()
-def across(x: float, y: float, z: float) -> Any:
-    """Two unit vectors that complete a unit vector to a right-handed frame."""
-    if abs(x) < 0.8:
-        f1, f2, f3 = 0.0, z, -y
-    else:
-        f1, f2, f3 = -z, 0.0, x
-    size = np.sqrt(f1 * f1 + f2 * f2 + f3 * f3)
-    f1, f2, f3 = f1 / size, f2 / size, f3 / size
-    return f1, f2, f3, y * f3 - z * f2, z * f1 - x * f3, x * f2 - y * f1
 
 
 @kernel()

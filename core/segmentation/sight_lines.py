@@ -110,7 +110,7 @@ class SightLines:
         self._pixel = max(PIXEL_HEIGHTS * unit.height, PIXEL_SPACINGS * spacing)
         self._tolerance = max(ON_SURFACE_HEIGHTS * unit.height, ON_SURFACE_NOISE * noise)
         self._pools = _pools(poses[:, :3], unit.height)
-        self._opened: dict[int, BoolArray] = {}
+        self._opened: dict[tuple[int, bool], BoolArray] = {}
         self._shown: dict[int, BoolArray] = {}
         self._expected: dict[int, FloatArray] = {}
 
@@ -123,8 +123,9 @@ class SightLines:
         if _missing(np.full(seen.shape, MOST_EXPECTED), seen)[0] < least:
             return 0.0, 1.0
         if number not in self._expected:
-            pool = self._pools[number]
-            self._expected[number] = _expected([self._look(k) for k in pool], [self._seen(k) for k in pool])
+            own, *others = self._pools[number]
+            shown = [self._seen(k)[shaft_patches()] for k in others]
+            self._expected[number] = _expected(self.look(own), self._seen(own), [self.look_at_shafts(k) for k in others], shown)
         return _missing(self._expected[number][leg], seen)
 
     def _seen(self, number: int) -> BoolArray:
@@ -134,16 +135,28 @@ class SightLines:
             self._shown[number] = _seen(near @ pose[3:].reshape(3, 3), self._unit, self._tolerance)
         return self._shown[number]
 
-    def _look(self, number: int) -> BoolArray:
-        if number not in self._opened:
-            pose = self._poses[number]
-            rotation = pose[3:].reshape(3, 3)
-            patches, normals = _patches(self._unit)
-            around = self._thinned[self._grid.within(pose[:3], AROUND_HEIGHTS * self._unit.height)] - pose[:3]
-            self._opened[number] = _open(
-                around, patches @ rotation.T, normals @ rotation.T, *_directions(), self._pixel, LEAST_FACING, MARGIN_PIXELS * self._pixel
-            )
-        return self._opened[number]
+    def look(self, number: int) -> BoolArray:
+        """(4 RINGS SECTORS, DIRECTIONS) which of all patches of a unit are open to which directions."""
+        if (number, True) not in self._opened:
+            self._opened[number, True] = self._open_of(number, np.ones(4 * RINGS * SECTORS, dtype=np.bool_))
+        return self._opened[number, True]
+
+    def look_at_shafts(self, number: int) -> BoolArray:
+        """The same of the patches of its shafts alone, in the order of :func:`shaft_patches`: less of a map has to be filled."""
+        if (number, False) not in self._opened:
+            shafts = shaft_patches().ravel()
+            known = self._opened.get((number, True))
+            self._opened[number, False] = self._open_of(number, shafts) if known is None else known[shafts]
+        return self._opened[number, False]
+
+    def _open_of(self, number: int, chosen: BoolArray) -> BoolArray:
+        pose = self._poses[number]
+        rotation = pose[3:].reshape(3, 3)
+        patches, normals = (places @ rotation.T for places in _patches(self._unit))
+        around = self._thinned[self._grid.within(pose[:3], AROUND_HEIGHTS * self._unit.height)] - pose[:3]
+        reach = float(np.sqrt(np.max(np.sum(patches**2, axis=1))))
+        lengths = reach, self._pixel, MARGIN_PIXELS * self._pixel
+        return np.asarray(_open(around, patches[chosen], normals[chosen], *_directions(), lengths, LEAST_FACING))
 
 
 def _missing(expected: FloatArray, seen: BoolArray) -> tuple[float, float]:
@@ -172,23 +185,30 @@ def _pools(centres: FloatArray, height: float) -> list[list[int]]:
     return [[k, *(int(j) for d, j in zip(ds, js, strict=True) if math.isfinite(d) and j != k)] for k, (ds, js) in enumerate(pairs)]
 
 
-def _expected(opened: Sequence[BoolArray], seen: Sequence[BoolArray]) -> FloatArray:
-    """(4, RINGS, SECTORS) probability that the patches of the first of a pool of units hold points if its legs are whole."""
-    result = np.zeros((4, RINGS, SECTORS))
-    shape = (4, RINGS, SECTORS)
-    shaft = np.zeros(shape, dtype=np.bool_)
+@lru_cache(maxsize=1)
+def shaft_patches() -> BoolArray:
+    """(4, RINGS, SECTORS) patches that breaks leave."""
+    shaft = np.zeros((4, RINGS, SECTORS), dtype=np.bool_)
     shaft[:, :SHAFT_RINGS] = True
-    others = [rows[shaft.ravel()] for rows in opened[1:]]
-    others_shown = [shown[shaft] for shown in seen[1:]]
+    return shaft
+
+
+def _expected(opened: BoolArray, seen: BoolArray, others: Sequence[BoolArray], others_shown: Sequence[BoolArray]) -> FloatArray:
+    """(4, RINGS, SECTORS) probability that the patches of a unit hold points if its legs are whole.
+
+    Its patches are open to directions, (4 RINGS SECTORS, DIRECTIONS), and hold points or not, (4, RINGS, SECTORS); so are those of the
+    shafts of the units near it, and do.
+    """
+    result = np.zeros((4, RINGS, SECTORS))
     for leg in range(4):
         # whether this leg is broken is not asked of itself
-        asked = shaft.copy()
+        asked = shaft_patches().copy()
         asked[np.arange(4) != leg] = True
-        rows = np.concatenate([opened[0][asked.ravel()], *others])
-        shown = np.concatenate([seen[0][asked], *others_shown])
+        rows = np.concatenate([opened[asked.ravel()], *others])
+        shown = np.concatenate([seen[asked], *others_shown])
         told = rows.any(axis=1)
         shares = _noisy_or(rows[told], shown[told])
-        mine = opened[0].reshape(*shape, -1)[leg]
+        mine = opened.reshape(4, RINGS, SECTORS, -1)[leg]
         result[leg] = 1 - np.prod(1 - mine * shares, axis=-1)
     return result
 
@@ -267,47 +287,51 @@ def _directions() -> tuple[FloatArray, FloatArray, FloatArray]:
 
 @kernel()
 def _groups(points: Any) -> Any:
-    """Middles and radii of spheres around every ``GROUP`` points that follow one another."""
+    """Middles (3, k) and radii of spheres around every ``GROUP`` points that follow one another."""
     count = (len(points) + GROUP - 1) // GROUP
-    middles, radii = np.zeros((count, 3)), np.zeros(count)
+    middles, radii = np.zeros((3, count)), np.zeros(count)
     for k in range(count):
         first, last = k * GROUP, min((k + 1) * GROUP, len(points))
         for a in range(3):
             for i in range(first, last):
-                middles[k, a] += points[i, a] / (last - first)
+                middles[a, k] += points[i, a] / (last - first)
         for i in range(first, last):
-            x, y, z = points[i, 0] - middles[k, 0], points[i, 1] - middles[k, 1], points[i, 2] - middles[k, 2]
+            x, y, z = points[i, 0] - middles[0, k], points[i, 1] - middles[1, k], points[i, 2] - middles[2, k]
             radii[k] = max(radii[k], np.sqrt(x * x + y * y + z * z))
     return middles, radii
 
 
 @kernel()
-def _open(
-    points: Any, patches: Any, normals: Any, towards: Any, across: Any, upwards: Any, pixel: float, facing: float, margin: float
-) -> Any:
+def _open(points: Any, patches: Any, normals: Any, towards: Any, across: Any, upwards: Any, lengths: Any, facing: float) -> Any:
     """(m, d) whether patches are open to directions; points (n, 3) and patches (m, 3) relative to the unit's centre.
 
+    The lengths, metres: how far a map reaches from the centre, the edge of its pixels, and the depth that belongs to a patch.
     Points that follow one another should be near one another: most groups of them fall beside a map.
     """
-    reach = 0.0
-    for i in range(len(patches)):
-        reach = max(reach, np.sqrt(patches[i, 0] ** 2 + patches[i, 1] ** 2 + patches[i, 2] ** 2))
+    reach, pixel, margin = lengths
     size = 2 * (int(reach / pixel) + 1)
     half = 0.5 * size * pixel
+    # no farther out than the pixels of the patches
+    asked = 0.0
+    for i in range(len(patches)):
+        asked = max(asked, np.sqrt(patches[i, 0] ** 2 + patches[i, 1] ** 2 + patches[i, 2] ** 2))
+    asked = min(asked + pixel, half)
     result = np.zeros((len(patches), len(towards)), dtype=np.bool_)
     middles, radii = _groups(points)
     by_axis = points.T.copy()
     right, up, near = np.empty(GROUP), np.empty(GROUP), np.empty(GROUP)
-    depth = np.empty((size, size))
+    beside, depth = np.empty(len(radii)), np.empty((size, size))
     for d in range(len(towards)):
         depth[:] = -np.inf
-        for k in range(len(middles)):
-            u = middles[k, 0] * across[d, 0] + middles[k, 1] * across[d, 1] + middles[k, 2] * across[d, 2]
-            v = middles[k, 0] * upwards[d, 0] + middles[k, 1] * upwards[d, 1] + middles[k, 2] * upwards[d, 2]
-            if max(abs(u), abs(v)) > half + radii[k]:
+        # without branches, in vector registers: groups, and then the points of those that are near
+        for k in range(len(radii)):
+            u = middles[0, k] * across[d, 0] + middles[1, k] * across[d, 1] + middles[2, k] * across[d, 2]
+            v = middles[0, k] * upwards[d, 0] + middles[1, k] * upwards[d, 1] + middles[2, k] * upwards[d, 2]
+            beside[k] = max(abs(u), abs(v)) - radii[k]
+        for k in range(len(radii)):
+            if beside[k] > asked:
                 continue
             first, count = k * GROUP, min(GROUP, len(points) - k * GROUP)
-            # without branches, in vector registers
             for i in range(count):
                 x, y, z = by_axis[0, first + i], by_axis[1, first + i], by_axis[2, first + i]
                 right[i] = x * across[d, 0] + y * across[d, 1] + z * across[d, 2] + half

@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray
 from ..common.kernels import in_parts, kernel
-from ..common.least_axis import least_axis
+from ..common.least_axis import across, least_axis
 from ..common.neighbourhood import build_grid, gather, point_tree
 from ..common.voxels import thin
 
@@ -32,6 +32,8 @@ BEND_RADIUS_RATIO = 0.14
 """Radius, as a share of the height, within which the sense of curvature is read."""
 NOISE_NEIGHBOURS = 25
 """Points of a neighbourhood from which the noise is told."""
+NOTHING_LEFT = 1e-20
+"""Share of a term's square that round-off leaves of one that others make up."""
 WIDE_IN_NOISE = 6.0
 """Radius of such a neighbourhood in standard deviations of the noise, from which it does not choose among the points by their noise."""
 SMOOTH_PERCENTILE, SMOOTH_SHARE = 30, 0.906
@@ -164,17 +166,70 @@ def _noise_of(points: FloatArray, tree: cKDTree, height: float, workers: int) ->
     near = distance[:, -1] < 0.2 * height
     if not near.any():
         return 0.0, np.inf
-    local = points[index[near]]
-    local = local - local.mean(axis=1, keepdims=True)
-    _, axes = np.linalg.eigh(np.einsum("nki,nkj->nij", local, local))
-    local = np.einsum("nki,nij->nkj", local, axes)
-    w, v, u = local[..., 0], local[..., 1], local[..., 2]
-    design = np.stack([np.ones_like(u), u, v, u * u, u * v, v * v], axis=-1)
-    solution = np.linalg.pinv(design) @ w[..., None]
-    residual = w - (design @ solution)[..., 0]
-    variance = np.sum(residual**2, axis=1) / (count - 6)
+    index = index[near]
+    squares = np.empty(len(index))
+    in_parts(partial(squares_off_quadrics, points=points, index=index, squares=squares), len(index))
+    variance = squares / (count - 6)
     # rough ground and edges only add: the lower half of the neighbourhoods speaks for smooth concrete
     return float(np.sqrt(np.percentile(variance, SMOOTH_PERCENTILE))), float(np.median(distance[near, -1]))
+
+
+@kernel(releases=True)
+def squares_off_quadrics(first: int, last: int, points: Any, index: Any, squares: Any) -> None:
+    """Sums of the squared distances (k,) of neighbourhoods, the points of the rows of ``index`` (k, m), from a quadric through each.
+
+    What its terms have in common with the heights is taken out term by term (modified Gram-Schmidt: Golub and Van Loan, 2013, Matrix
+    Computations, 5.2.8), a term that points on a line leave nothing of being none.
+    """
+    m = index.shape[1]
+    # heights over the plane of the neighbourhood, and 1, u, v, uu, uv, vv, which are the same in any two directions along it
+    terms, whole = np.empty((7, m)), np.empty(7)
+    for i in range(first, last):
+        x = y = z = 0.0
+        for j in range(m):
+            x += points[index[i, j], 0] / m
+            y += points[index[i, j], 1] / m
+            z += points[index[i, j], 2] / m
+        xx = xy = xz = yy = yz = zz = 0.0
+        for j in range(m):
+            p, q, r = points[index[i, j], 0] - x, points[index[i, j], 1] - y, points[index[i, j], 2] - z
+            terms[1, j], terms[2, j], terms[3, j] = p, q, r
+            xx += p * p
+            xy += p * q
+            xz += p * r
+            yy += q * q
+            yz += q * r
+            zz += r * r
+        nx, ny, nz = least_axis(xx, xy, xz, yy, yz, zz)
+        size = np.sqrt((xx + yy + zz) / m)
+        if size == 0.0:
+            squares[i] = 0.0
+            continue
+        ux, uy, uz, vx, vy, vz = across(nx, ny, nz)
+        for j in range(m):
+            p, q, r = terms[1, j], terms[2, j], terms[3, j]
+            u, v = (p * ux + q * uy + r * uz) / size, (p * vx + q * vy + r * vz) / size
+            terms[0, j], terms[1, j], terms[2, j] = p * nx + q * ny + r * nz, u, v
+            terms[3, j], terms[4, j], terms[5, j], terms[6, j] = u * u, u * v, v * v, 1.0
+        for a in range(7):
+            whole[a] = 0.0
+            for j in range(m):
+                whole[a] += terms[a, j] * terms[a, j]
+        for a in range(6, 0, -1):
+            own = 0.0
+            for j in range(m):
+                own += terms[a, j] * terms[a, j]
+            if own <= NOTHING_LEFT * whole[a]:
+                continue
+            for b in range(a):
+                common = 0.0
+                for j in range(m):
+                    common += terms[a, j] * terms[b, j]
+                for j in range(m):
+                    terms[b, j] -= common / own * terms[a, j]
+        squares[i] = 0.0
+        for j in range(m):
+            squares[i] += terms[0, j] * terms[0, j]
 
 
 @kernel(releases=True)

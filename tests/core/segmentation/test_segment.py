@@ -21,7 +21,7 @@ from tetratrack.core.segmentation.pose_refinement import refine
 from tetratrack.core.segmentation.pose_score import BRIDGED, NOISY, RICH, SMOOTHED, SPARSE, ScoreModel, TypicalUnit, score, where_bridged
 from tetratrack.core.segmentation.scene import CELLS, CLOSE, COLUMNS, MISFIT, REACHED, SUPPORT, Evidence, Scene
 from tetratrack.core.segmentation.segment import FEWEST_FOUND_CELLS, FOUND_SCORE, SURE_OF_FEW, fewest_found_cells, least_scores, segment
-from tetratrack.core.segmentation.surface_elements import surface_elements
+from tetratrack.core.segmentation.surface_elements import squares_off_quadrics, surface_elements
 from tetratrack.core.segmentation.verification import FEWEST_CELLS, overlap, without_copies
 from tetratrack.core.simulation.sampled_unit import interlocked_rows
 
@@ -84,6 +84,21 @@ def test_normals_and_noise_of_a_unit():
     # smooth neighbourhoods, the lower third, speak for the noise: a tenth below it (eight seeds: 0.00885 to 0.00895)
     assert elements.noise == pytest.approx(0.0089, rel=0.03)
     assert elements.spacing == pytest.approx(0.015, rel=0.04)
+
+
+def test_squares_off_a_quadric_are_those_of_least_squares_and_none_of_points_on_a_line():
+    rng = np.random.default_rng(8)
+    points = np.vstack([rng.normal(0, 0.1, (50, 3)) * [1, 1, 0.05], np.outer(np.linspace(0, 1, 25), [1.0, 2.0, -1.0]), np.ones((25, 3))])
+    index = np.arange(100).reshape(4, 25)
+    squares = np.full(4, np.nan)
+    squares_off_quadrics(0, 4, points, index, squares)
+    for k in range(2):
+        local = points[index[k]] - points[index[k]].mean(axis=0)
+        w, u, v = (local @ np.linalg.svd(local)[2][::-1].T).T
+        design = np.stack([np.ones_like(u), u, v, u * u, u * v, v * v], axis=-1)
+        rest = w - design @ np.linalg.lstsq(design, w, rcond=None)[0]
+        assert squares[k] == pytest.approx(rest @ rest, rel=1e-9)
+    assert squares[2:] == pytest.approx(0.0, abs=1e-25)
 
 
 def test_a_wall_is_known_to_be_too_flat_for_a_leg_and_a_leg_is_not():

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.segmentation.leg_ends import BROKEN, LegView, leg_ends
-from tetratrack.core.segmentation.sight_lines import SightLines
+from tetratrack.core.segmentation.sight_lines import SightLines, shaft_patches
 
 UNIT = UnitType.tetrapod(2.3)
 LOOKS = np.array([[0.35, 0.1, 0.93], [-0.4, -0.1, 0.91], [0.05, 0.45, 0.89]])
@@ -62,3 +62,13 @@ def test_a_leg_is_missed_where_what_lies_behind_it_is_seen(broken: bool, roof: b
     assert (ends.states[[0, 2, 3]] != BROKEN).all()
     if expected:
         assert ends.missing[1] == pytest.approx(0.34 * UNIT.leg_length, abs=0.1 * UNIT.leg_length)
+
+
+def test_shafts_alone_are_open_to_the_directions_to_which_they_are_among_all_patches() -> None:
+    cloud, poses = scene(np.random.default_rng(5), broken=False)
+    alone, all_patches = (SightLines(cloud, cKDTree(cloud), poses, UNIT, 0.008) for _ in range(2))
+    for number in range(2):
+        shafts = alone.look_at_shafts(number)
+        assert shafts.any()
+        assert (shafts == all_patches.look(number)[shaft_patches().ravel()]).all()
+        assert (shafts == all_patches.look_at_shafts(number)).all()
