@@ -33,6 +33,7 @@ SEED = np.dtype([("e", np.float64), ("n", np.float64), ("h", np.float64), ("befo
 """Of a patch: its seed in metres, the earlier patch of the same voxel or -1, and the source of its points; half a line of the processor's
 cache, as most of the time goes into waiting for these."""
 _FEWEST_ROWS = 1 << 15
+_MOST_EXPECTED = 10_000_000
 _PATCHES, _VOXELS, _SUMS = range(3)
 
 
@@ -112,11 +113,14 @@ class PatchMeans:
     ----------
     radius
         Farthest that a point lies from the seed of its patch, metres.
+    expected
+        Points that will be added, about: room is made once for patches of twice ``SOME`` points, and else as it is needed.
     """
 
-    def __init__(self, radius: float) -> None:
+    def __init__(self, radius: float, expected: int = 0) -> None:
         self.radius = radius
-        self._patches = _empty(_FEWEST_ROWS, _FEWEST_ROWS)
+        expected = min(expected, _MOST_EXPECTED)
+        self._patches = _empty(_room(expected // (2 * SOME)), _room(expected // SOME))
 
     @property
     def count(self) -> int:

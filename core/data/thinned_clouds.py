@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ..common.arrays import FloatArray
+from ..common.arrays import FloatArray, IntArray, corners
 from ..common.atomic_files import temporary_beside
 from ..common.errors import InputError, OutputError
 from ..common.patch_means import Means, PatchMeans
@@ -34,6 +34,9 @@ LARGE = 2_000_000
 """Points of a cloud from which it is thinned: less takes little time as it is, and a weak unit may depend on any of its points."""
 PART = 100_000
 """Points after which it is asked anew whether a tile can be so dense."""
+SQUARE_RADII = 40.0
+"""Edge, in radii of patches, of the squares whose points are taken in one square after another: the patches of one stay in the processor's
+cache, which takes almost half of the time off."""
 
 
 def patch_radius(height: float) -> float:
@@ -65,7 +68,7 @@ class Thinning:
 
     def __init__(self, radius: float, total: int) -> None:
         self.radius = radius
-        self._patches: PatchMeans | None = PatchMeans(radius) if radius else None
+        self._patches: PatchMeans | None = PatchMeans(radius, total) if radius else None
         self._total = total
         self._points = 0
 
@@ -78,7 +81,7 @@ class Thinning:
             wanted = min(RADIUS_IN_NOISE * wide.noise(), wide.radius)
             if wanted > self.radius:
                 self.radius = wanted
-                self._patches = PatchMeans(wanted)
+                self._patches = PatchMeans(wanted, self._total)
                 self._add(xyz, sources, times)
         self._points += len(xyz)
 
@@ -86,8 +89,8 @@ class Thinning:
         for start in range(0, len(xyz), PART):
             if self._patches is None:
                 return
-            part = slice(start, start + PART)
-            self._patches.add(xyz[part], sources[part], times[part])
+            order = start + _by_square(xyz[start : start + PART], SQUARE_RADII * self.radius)
+            self._patches.add(xyz[order], sources[order], times[order])
             if self._total < LEAST_POINTS * self._patches.count:
                 self._patches = None
 
@@ -96,6 +99,15 @@ class Thinning:
         if self._patches is None or not self._points or self._points < LEAST_POINTS * self._patches.count:
             return None
         return self._patches.means()
+
+
+def _by_square(xyz: FloatArray, edge: float) -> IntArray:
+    """(n,) numbers of (n, 3) points, one square in plan after another, and as they come within each."""
+    place = np.floor(xyz[:, :2] / edge).astype(np.int64)
+    low, high = corners(place)
+    number = (place[:, 0] - low[0]) * (high[1] - low[1] + 1) + place[:, 1] - low[1]
+    # numpy sorts short numbers in a fraction of the time
+    return np.argsort(number.astype(np.uint16) if number.max() < 1 << 16 else number, kind="stable")
 
 
 def load(key: str) -> Means | None:
