@@ -390,17 +390,13 @@ def simulate(
 
     def step(feedback: Feedback) -> dict[str, Any]:
         from ..core.simulation.bent_frames import FrameErrors
-        from ..core.simulation.survey_plan import plan_of
+        from ..core.simulation.survey_plan import plan_of, usual_height
         from ..core.simulation.virtual_survey import simulate_survey
 
-        nominal = (
-            None
-            if height is None and opening == "tetrahedral" and unit.strip().lower() == "tetrapod"
-            else _unit(unit, height, radius, gradient, leg_length, opening)
-        )
+        told = usual_height(instrument) if height is None and unit.strip().lower() == "tetrapod" else height
         plan = plan_of(
-            instrument, name, nominal, units=units, epochs=epochs, seed=seed, density=density or None, noise=noise or None, crs=crs,
-            castings=castings, bridging=bridging, other_views=other_views,
+            instrument, name, _unit(unit, told, radius, gradient, leg_length, opening), units=units, epochs=epochs, seed=seed,
+            density=density or None, noise=noise or None, crs=crs, castings=castings, bridging=bridging, other_views=other_views,
             frame=FrameErrors(bend=bend, drift=drift, bowl=bowl, shortest=wave_lengths[0], longest=wave_lengths[1]),
             length=length, targets_every=targets_every, slide=slide,
         )  # fmt: skip

@@ -14,6 +14,8 @@ from .virtual_instruments import INSTRUMENTS, Instrument
 
 STRETCH_NUMBERS = 1000
 """Numbers of units that one stretch of a coast may take."""
+LABORATORY_HEIGHT = 0.105
+"""Nominal height of the models on a table, metres."""
 
 
 @dataclass(frozen=True)
@@ -149,6 +151,11 @@ class SimulationPlan:
         return UnitType.tetrapod(self.height, radius=self.radius, gradient=self.gradient, leg_length=self.leg_length, opening=self.opening)
 
 
+def usual_height(instrument: str) -> float:
+    """Nominal height in metres of the units that an instrument is simulated with where none is given: of a breakwater, or of models."""
+    return LABORATORY_HEIGHT if instrument == "depth_camera" else SimulationPlan.height
+
+
 def plan_of(
     instrument: str,
     name: str,
@@ -178,8 +185,9 @@ def plan_of(
     if instrument not in INSTRUMENTS:
         raise InputError(f"instrument {instrument!r} is not known", where="instrument", remedy=f"Use one of: {', '.join(INSTRUMENTS)}.")
     laboratory = SimulationPlan(
-        name, "depth_camera", 4, 0.105, crs="LOCAL", origin=(1.0, 1.8, 0.75), azimuth_deg=0.0, tiles=(2, 1), first_day=date(2025, 2, 10)
-    )
+        name, "depth_camera", 4, LABORATORY_HEIGHT, crs="LOCAL", origin=(1.0, 1.8, 0.75), azimuth_deg=0.0, tiles=(2, 1),
+        first_day=date(2025, 2, 10),
+    )  # fmt: skip
     base = laboratory if instrument == "depth_camera" else SimulationPlan(name, instrument, crs=crs)
     if unit is not None:
         base = replace(

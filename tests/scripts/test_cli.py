@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -182,6 +183,24 @@ def test_template_and_help() -> None:
         shown = CliRunner().invoke(app, [name, "--help"])
         assert shown.exit_code == 0
         assert "Usage" in shown.stdout
+
+
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        (["--opening", "paper", "--radius", "0.5"], {"height": 2.3, "radius": 0.5, "opening": "paper"}),
+        (["--leg-length", "1.6"], {"height": 2.3, "leg_length": 1.6, "opening": "tetrahedral"}),
+        (["--instrument", "depth_camera", "--gradient", "0.2"], {"height": 0.105, "gradient": 0.2}),
+    ],
+)
+def test_a_simulated_unit_of_the_usual_height_has_the_shape_that_is_told(
+    site: Path, options: list[str], expected: dict[str, object]
+) -> None:
+    told = CliRunner().invoke(app, ["simulate", "-o", str(site / "made"), "--units", "3", "--epochs", "1", "--density", "20", *options])
+    assert told.exit_code == 0, told.output
+    (survey,) = site.rglob("survey.toml")
+    unit = tomllib.loads(survey.read_text(encoding="utf-8"))["unit"]
+    assert {key: unit[key] for key in expected} == expected
 
 
 def test_inspect(site: Path) -> None:
