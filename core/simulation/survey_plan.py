@@ -137,6 +137,12 @@ class SimulationPlan:
                 where="length",
                 remedy=f"Use uav, tls or photogrammetry and 1 to {STRETCH_NUMBERS - 1} units a stretch.",
             )
+        if self.slide > 0 and (self.length <= 0 or self.epochs < 2):
+            raise InputError(
+                "nothing slides on one pile or in one epoch",
+                where="slide",
+                remedy="Give the length of a coast and two epochs or more, or leave slide at 0.",
+            )
         if min(self.tiles) < 1:
             raise InputError("tiles must be at least 1 x 1", where="tiles", remedy="Correct the numbers.")
 

@@ -21,7 +21,7 @@ from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.simulation.bent_frames import FrameErrors, FrameOfEpoch
 from tetratrack.core.simulation.coast import STATIONS
-from tetratrack.core.simulation.survey_plan import SimulationPlan
+from tetratrack.core.simulation.survey_plan import SimulationPlan, plan_of
 from tetratrack.core.simulation.virtual_survey import simulate_survey
 
 PLANS = {
@@ -118,3 +118,9 @@ def test_what_cannot_be_a_coast_is_refused() -> None:
         SimulationPlan("table", "depth_camera", 4, 0.105, crs="LOCAL", length=10.0)
     with pytest.raises(InputError, match="slide"):
         replace(PLANS["uav"], slide=-1.0)
+
+
+@pytest.mark.parametrize(("length", "epochs"), [(0.0, 2), (60.0, 1)])
+def test_a_slide_needs_a_coast_and_two_epochs(length: float, epochs: int) -> None:
+    with pytest.raises(InputError, match="nothing slides"):
+        plan_of("uav", "still", units=20, epochs=epochs, length=length, slide=0.1)
