@@ -35,13 +35,15 @@ ANGLES = (np.arange(STEPS) * TURN / STEPS + TURN / 2) % TURN - TURN / 2
 WORTH_SCALE = 0.04
 """Share of its worth that makes a twist less likely by a factor e: a few of a hundred elements, which chance easily aligns. To its mean a
 unit is turned: real legs lie some centimetres off their cones, and what a few elements of a second one prefer is no better start."""
-ALIGNED = 4.0
+ALIGNED = 3.0
 """Elements that make a twist less likely by a factor e where it is asked how sure it is: those of the leg that is turned about fit at
-every twist and say nothing, however many they are. Of 104 units of twelve simulated surveys with one or two legs that show, 2 elements
-explain the true twists best and 4 nearly as well; 34 of the 64 with two legs have more than 300 elements, and all 64 have their true twist
-where most elements fit."""
+every twist and say nothing, however many they are. Of 904 units of 98 simulated clouds with one or two legs that show, 2 elements explain
+the true twists best and 3 nearly as well, with less said against those that few elements gainsay."""
 ROOM_SD = 0.015
 """Share of a unit's volume by which true neighbours seem to enter each other, as poses are not exact (standard deviation)."""
+SURE_ROOM_SD = 0.006
+"""The same where it is asked how sure a twist is: of these units 0.004 and less explain the true twists best, in noise too, and 0.006
+nearly as well. Where a unit is turned to hangs on the former, as poses are settled yet."""
 SURELY_NOT = 1e-12
 """Likelihood below which twists are ruled out alike."""
 OPEN_TWIST = np.radians(10)
@@ -153,23 +155,23 @@ def _settled(
     """The pose in the middle of the twists that its elements and (k, 12) units around leave to it, and how far it is known."""
     unit, values, pose = scene.unit, worth(turns.found), turns.pose
     entered = np.array([[overlap(twist, other, unit) for other in others] for twist in turns.twists]).reshape(STEPS, len(others))
-    trusted = entered_by_trust(entered, trust)
-    known = twist_of(values, trusted, unit)
+    known = twist_of(values, entered_by_trust(entered, trust), unit)
     if max(known.sd, abs(known.mean)) > OPEN_TWIST:
         pose = _turned(pose, turns.leg, np.array([known.mean]), unit)[0]
     rival = _best_rival(pose, turns.leg, others, scene, own, free)
     margin = (1 - rival / max(float(log_likelihood(turns.found, scene.tolerance).max()), 1e-9)) / RIVAL_MARGIN
-    sure_of = twist_of(values, trusted, unit, ALIGNED)
+    sure_of = twist_of(values, entered_by_trust(entered, trust, SURE_ROOM_SD), unit, ALIGNED, SURE_ROOM_SD)
     return pose, min(sure_of.certainty, float(np.clip(margin, 0, 1)))
 
 
-def entered_by_trust(entered: FloatArray, trust: FloatArray) -> FloatArray:
+def entered_by_trust(entered: FloatArray, trust: FloatArray, room: float = ROOM_SD) -> FloatArray:
     """(STEPS,) shares of volume that speak as much against each twist as (STEPS, n) shares inside n neighbours that may be elsewhere.
 
-    With its ``trust`` (n,), 0 to 1, a neighbour is where it seems to be; otherwise it says nothing. The neighbour that says most counts.
+    With its ``trust`` (n,), 0 to 1, a neighbour is where it seems to be, to within ``room``; otherwise it says nothing. The neighbour that
+    says most counts.
     """
-    likely = np.min(trust * np.exp(-0.5 * (entered / ROOM_SD) ** 2) + (1 - trust), axis=1, initial=1.0)
-    return np.asarray(ROOM_SD * np.sqrt(-2 * np.log(np.maximum(likely, SURELY_NOT))))
+    likely = np.min(trust * np.exp(-0.5 * (entered / room) ** 2) + (1 - trust), axis=1, initial=1.0)
+    return np.asarray(room * np.sqrt(-2 * np.log(np.maximum(likely, SURELY_NOT))))
 
 
 def _main_leg(pose: FloatArray, points: FloatArray, unit: UnitType, tolerance: float) -> int:
@@ -195,13 +197,14 @@ def log_likelihood(found: Evidence, tolerance: float) -> FloatArray:
     return np.asarray(worth(found) * np.maximum(np.log(4 / (math.sqrt(2 * math.pi * math.e) * misfit)), 0.0))
 
 
-def twist_of(values: FloatArray, entered: FloatArray, unit: UnitType, aligned: float = math.inf) -> Twist:
+def twist_of(values: FloatArray, entered: FloatArray, unit: UnitType, aligned: float = math.inf, room: float = ROOM_SD) -> Twist:
     """What (STEPS,) worths and shares of volume inside neighbours say of the twist, each step as likely as any before.
 
-    ``WORTH_SCALE`` of the worth, but no more than ``aligned`` elements, make a twist less likely by a factor e.
+    ``WORTH_SCALE`` of the worth, but no more than ``aligned`` elements, make a twist less likely by a factor e; ``room`` is the standard
+    deviation of the shares.
     """
     most = float(values.max())
-    exponent = (most - values) / min(WORTH_SCALE * max(most, 1e-9), aligned) + 0.5 * (entered / ROOM_SD) ** 2
+    exponent = (most - values) / min(WORTH_SCALE * max(most, 1e-9), aligned) + 0.5 * (entered / room) ** 2
     likely = np.exp(exponent.min() - exponent)
     likely /= likely.sum()
     mean = float(np.angle(np.sum(likely * np.exp(3j * ANGLES))) / 3)

@@ -94,8 +94,8 @@ def test_two_epochs_settle_a_turn_together():
 @pytest.mark.parametrize("twist_open", [True, False])
 def test_what_both_leave_open_stays_as_it_is(twist_open):
     # no unit stands where it tells, or it is not the turn alone that is in doubt
-    neighbours = [16, 17, 21, 22] if not twist_open else [2, 17]
-    tracks, seen = settled([2, 6, 8, 12], neighbours, twist_open=twist_open)
+    first, second = ([6, 8, 12], [8, 17]) if twist_open else ([2, 6, 8, 12], [16, 17, 21, 22])
+    tracks, seen = settled(first, second, twist_open=twist_open)
     assert [sorted(own) for own in seen[-2:]] == [[0], [1]]
     assert not any(s.certain for own in seen[-2:] for s in own.values())
     assert len(tracks) == len(seen)

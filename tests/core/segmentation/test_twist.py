@@ -16,6 +16,7 @@ from tetratrack.core.segmentation.twist import (
     LEAST_MISFIT,
     ROOM_SD,
     STEPS,
+    SURE_ROOM_SD,
     TURN,
     entered_by_trust,
     log_likelihood,
@@ -129,6 +130,21 @@ def test_a_second_leg_settles_how_sure_a_twist_is_however_many_elements_the_firs
     few = np.full(STEPS, 60.0)
     few[0] = 70.0
     assert twist_of(few, np.zeros(STEPS), UNIT, ALIGNED).certainty == twist_of(few, np.zeros(STEPS), UNIT).certainty
+
+
+def test_a_hundredth_of_its_volume_inside_neighbours_rules_a_twist_out():
+    """How sure a twist is goes with how exact poses of neighbours are; where a unit is turned to, with more."""
+    angles = np.arange(STEPS) * TURN / STEPS
+    entered = np.where((angles > 0.5) & (angles < 1.6), 0.012, 0.0)[:, None]
+    sure, loose = (
+        twist_of(np.full(STEPS, 300.0), entered_by_trust(entered, np.ones(1), room), UNIT, ALIGNED, room)
+        for room in (SURE_ROOM_SD, ROOM_SD)
+    )
+    assert sure.certainty > 0.65
+    assert loose.certainty < 0.4
+    # a neighbour that may be elsewhere says no more than it is trusted
+    doubted = entered_by_trust(entered, np.array([0.2]), SURE_ROOM_SD)
+    assert twist_of(np.full(STEPS, 300.0), doubted, UNIT, ALIGNED, SURE_ROOM_SD).certainty < 0.2
 
 
 def test_tolerated_twist_keeps_the_feature_points_near():
