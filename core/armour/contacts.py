@@ -40,11 +40,11 @@ def reach_of(shape: PlacedShape) -> float:
 def _record(shape: PlacedShape, origin: FloatArray) -> FloatArray:
     """(42,) a unit for the loops: centre, radius, gradient, leg length, and by leg its axis and two directions across it, in the CRS."""
     parts = [shape.centre - origin, np.array([shape.radius, shape.gradient, shape.leg_length])]
-    for axis in shape.legs:
-        helper = np.array([0.0, 0.0, 1.0]) if abs(axis[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
-        first = np.cross(helper, axis)
-        first /= np.linalg.norm(first)
-        parts += [shape.rotation @ v for v in (axis, first, np.cross(axis, first))]
+    helpers = np.where(np.abs(shape.legs[:, 2:]) < 0.9, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0])
+    first = np.cross(helpers, shape.legs)
+    first /= np.linalg.norm(first, axis=1)[:, None]
+    for own in zip(shape.legs, first, np.cross(shape.legs, first), strict=True):
+        parts += [shape.rotation @ v for v in own]
     return np.concatenate(parts)
 
 

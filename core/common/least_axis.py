@@ -1,4 +1,4 @@
-"""Axis of least scatter of points in space, and directions across it, for compiled loops over small neighbourhoods."""
+"""Axes of the scatter of points in space, and directions across one, for compiled loops over small neighbourhoods."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ MOST_SWEEPS = 12
 
 
 @kernel()
-def least_axis(xx: float, xy: float, xz: float, yy: float, yz: float, zz: float) -> Any:
-    """Unit eigenvector of the smallest eigenvalue of a symmetric matrix, of either sign.
+def principal_axes(xx: float, xy: float, xz: float, yy: float, yz: float, zz: float) -> Any:
+    """Eigenvalue and unit eigenvector, of either sign, three times, of a symmetric matrix; in no order.
 
     By Jacobi's rotations (Golub and Van Loan, 2013, Matrix Computations, 8.5), a tenth of the time that LAPACK takes to be called for three
     by three.
@@ -38,11 +38,15 @@ def least_axis(xx: float, xy: float, xz: float, yy: float, yz: float, zz: float)
         yy, zz, yz = yy - t * yz, zz + t * yz, 0.0
         xy, xz = c * xy - s * xz, s * xy + c * xz
         vx, vy, vz, wx, wy, wz = c * vx - s * wx, c * vy - s * wy, c * vz - s * wz, s * vx + c * wx, s * vy + c * wy, s * vz + c * wz
-    if xx <= yy and xx <= zz:
-        return ux, uy, uz
-    if yy <= zz:
-        return vx, vy, vz
-    return wx, wy, wz
+    return (xx, ux, uy, uz), (yy, vx, vy, vz), (zz, wx, wy, wz)
+
+
+@kernel()
+def least_axis(xx: float, xy: float, xz: float, yy: float, yz: float, zz: float) -> Any:
+    """Unit eigenvector of the smallest eigenvalue of a symmetric matrix, of either sign."""
+    first, second, third = principal_axes(xx, xy, xz, yy, yz, zz)
+    least = first if first[0] <= second[0] and first[0] <= third[0] else (second if second[0] <= third[0] else third)
+    return least[1], least[2], least[3]
 
 
 @kernel()

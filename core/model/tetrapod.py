@@ -276,7 +276,9 @@ def _farthest(points: FloatArray, count: int) -> IntArray:
     """Indices of ``count`` points spread by farthest-point sampling."""
     chosen = np.zeros(count, dtype=np.int64)
     nearest = np.full(len(points), np.inf)
+    x, y, z = np.ascontiguousarray(points.T)
     for k in range(1, count):
-        nearest = np.minimum(nearest, np.sum((points - points[chosen[k - 1]]) ** 2, axis=1))
+        place = points[chosen[k - 1]]
+        np.minimum(nearest, (x - place[0]) ** 2 + (y - place[1]) ** 2 + (z - place[2]) ** 2, out=nearest)
         chosen[k] = int(np.argmax(nearest))
     return chosen

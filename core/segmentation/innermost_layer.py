@@ -140,9 +140,10 @@ def _fit(first: int, last: int, points: Any, every: Any, places: Any, radii: Any
         local = in_radii(points, near, places[i], radius)
         axes = tangent_axes(local)
         if axes[2, 0] < 0.0:
-            axes[:, 0] = -axes[:, 0]
+            for a in range(3):
+                axes[a, 0] = -axes[a, 0]
         design, across = quadric_terms(local, axes)
-        used = np.ones(m, dtype=np.bool_)
+        used, rest = np.ones(m, dtype=np.bool_), np.empty(m)
         for _ in range(ROUNDS):
             count = 0
             normal[:, :] = 0.0
@@ -160,12 +161,21 @@ def _fit(first: int, last: int, points: Any, every: Any, places: Any, radii: Any
                 normal[a, a] += 1e-6 * count
             factorise(normal)
             solve_factorised(normal, right)
-            rest = across - design @ right
-            scatter = np.sqrt(np.sum(rest[used] ** 2) / (count - 6))
+            square = 0.0
+            for j in range(m):
+                rest[j] = across[j]
+                for a in range(6):
+                    rest[j] -= design[j, a] * right[a]
+                square += rest[j] * rest[j] if used[j] else 0.0
+            scatter = np.sqrt(square / (count - 6))
             out[i, SCATTER], out[i, RADIUS] = scatter * radius, radius
-            out[i, MIDDLE:AXES] = places[i]
-            out[i, AXES:TERMS] = axes.ravel()
-            out[i, TERMS:] = right
+            for a in range(3):
+                out[i, MIDDLE + a] = places[i, a]
+                for b in range(3):
+                    out[i, AXES + 3 * a + b] = axes[a, b]
+            for a in range(6):
+                out[i, TERMS + a] = right[a]
             if scatter * radius <= limit or axes[2, 0] < LEAST_RISE:
                 break
-            used &= rest < ABOVE * scatter
+            for j in range(m):
+                used[j] &= rest[j] < ABOVE * scatter

@@ -15,6 +15,7 @@ import numpy as np
 
 from ..common.arrays import FloatArray
 from ..common.kernels import in_parts, kernel
+from ..common.least_axis import principal_axes
 from ..common.neighbourhood import build_grid, gather
 from ..common.positive_definite import factorise, solve_factorised
 from ..common.voxels import thin
@@ -128,8 +129,16 @@ def tangent_axes(local: Any) -> Any:
     for a in range(3):
         for b in range(a + 1):
             second[a, b] -= mean[a] * mean[b] / total
-            second[b, a] = second[a, b]
-    _, axes = np.linalg.eigh(second)
+    one, two, three = principal_axes(second[0, 0], second[1, 0], second[2, 0], second[1, 1], second[2, 1], second[2, 2])
+    if two[0] < one[0]:
+        one, two = two, one
+    if three[0] < one[0]:
+        one, three = three, one
+    if three[0] < two[0]:
+        two, three = three, two
+    axes = np.empty((3, 3))
+    for a in range(3):
+        axes[a, 0], axes[a, 1], axes[a, 2] = one[a + 1], two[a + 1], three[a + 1]
     return axes
 
 

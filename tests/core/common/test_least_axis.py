@@ -1,9 +1,9 @@
-"""Axis of least scatter against LAPACK."""
+"""Axes of scatter against LAPACK."""
 
 from __future__ import annotations
 
 import numpy as np
-from tetratrack.core.common.least_axis import least_axis
+from tetratrack.core.common.least_axis import least_axis, principal_axes
 
 
 def axis_of(matrix: np.ndarray) -> np.ndarray:
@@ -26,3 +26,15 @@ def test_degenerate_scatter_has_an_axis():
         axis = axis_of(matrix)
         assert abs(np.linalg.norm(axis) - 1) < 1e-14
         assert np.linalg.norm(matrix @ axis - np.linalg.eigvalsh(matrix)[0] * axis) < 1e-14
+
+
+def test_all_axes_are_eigenvectors_and_stand_across_each_other():
+    rng = np.random.default_rng(5)
+    for _ in range(50):
+        half = rng.normal(size=(3, 3))
+        matrix = half @ half.T
+        found = principal_axes(*(float(matrix[i, j]) for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))))
+        axes = np.array([axis for _, *axis in found])
+        assert np.abs(axes @ axes.T - np.eye(3)).max() < 1e-13
+        for value, *axis in found:
+            assert np.abs(matrix @ axis - value * np.array(axis)).max() < 1e-12 * np.trace(matrix)
