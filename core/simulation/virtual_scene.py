@@ -25,6 +25,14 @@ WALL, TABLE, ROCK, WATER, OUTLIER, OBJECT = -1, -2, -3, -4, -5, -6
 REFERENCE_HEIGHT = 2.3
 """Unit height in metres for which the instruments' ray spacings below are stated; a site in proportion is seen in proportion."""
 
+ON_SURFACE, LONGEST_STEP = 1e-4, 0.02
+"""Distance from a surface with relief within which a beam is taken to have met it, and longest step along the beam to get there, shares of
+the unit's height."""
+BEAM_STEPS = 10
+"""Steps after which a beam that has not met the surface of the facets it hit is taken to pass beside it: at silhouettes and rims."""
+LEAST_COSINE, GRAZING = 0.1, 0.25
+"""Least cosine of incidence by which a step is lengthened, and least that is given for a hit (assumed: noise grows no more)."""
+
 
 @dataclass(frozen=True)
 class Surfaces:
@@ -117,18 +125,27 @@ class Scene:
     def _on_true_surface(
         self, number: int, which: IntArray, origins: FloatArray, directions: FloatArray, distance: FloatArray, cosine: FloatArray
     ) -> None:
-        """Move hits from the facets to the curved surface with its relief, in place."""
+        """Move hits from the facets along their beams to the curved surface with its relief, in place; beams that pass beside it are lost.
+
+        A relief that were read off at the facets would depend on the station: a beam that grazes the surface meets it centimetres farther
+        along.
+        """
         piled = self.units[number]
         shape = piled.shape(self.unit)
-        at = origins[which] + directions[which] * distance[which, None]
-        body = piled.pose.to_body(at)
-        relation = relate(body, shape)
-        facet = np.where(np.abs(relation.distance) < 0.008 * shape.height, relation.distance, 0.0)
-        normal = relation.normal @ piled.pose.rotation.T
-        steep = np.clip(np.abs(np.sum(normal * directions[which], axis=1)), 0.25, 1)
-        relief = self._relief(piled, shape, body, at[:, 2])
-        distance[which] -= (relief - facet) / steep
-        cosine[which] = steep
+        left = which
+        for _ in range(BEAM_STEPS):
+            at = origins[left] + directions[left] * distance[left, None]
+            body = piled.pose.to_body(at)
+            relation = relate(body, shape)
+            steep = np.abs(np.sum((relation.normal @ piled.pose.rotation.T) * directions[left], axis=1))
+            cosine[left] = np.clip(steep, GRAZING, 1)
+            short = relation.distance - self._relief(piled, shape, body, at[:, 2])
+            off = np.abs(short) > ON_SURFACE * shape.height
+            left, short, steep = left[off], short[off], steep[off]
+            if not len(left):
+                break
+            distance[left] += np.clip(short / np.maximum(steep, LEAST_COSINE), -LONGEST_STEP * shape.height, LONGEST_STEP * shape.height)
+        distance[left] = np.inf
 
     def _relief(self, piled: PiledUnit, shape: UnitType, body: FloatArray, level: FloatArray) -> FloatArray:
         rng = np.random.default_rng([self.seed, piled.number, 77])

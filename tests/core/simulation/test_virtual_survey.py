@@ -25,7 +25,7 @@ from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import relate, sample_surface
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.registration.control import register
-from tetratrack.core.simulation.armour_pile import Changes, Site, deepest_overlap, settle
+from tetratrack.core.simulation.armour_pile import Changes, PiledUnit, Site, deepest_overlap, settle
 from tetratrack.core.simulation.survey_plan import SimulationPlan
 from tetratrack.core.simulation.virtual_instruments import INSTRUMENTS, SENSOR_FILES
 from tetratrack.core.simulation.virtual_scanner import survey_photogrammetry
@@ -199,6 +199,36 @@ def test_images_of_another_epoch_err_otherwise() -> None:
 
     assert likeness(0, seed=2) > 0.5
     assert abs(likeness(1, seed=2)) < 0.25
+
+
+def test_a_casting_shows_every_station_the_same_surface() -> None:
+    """Beams from another station, aimed at what one station sees, meet it there however flat they come in."""
+    unit = UnitType.tetrapod(2.0)
+    pile = (PiledUnit(7, Pose(np.array([0.0, 3.0, 2.0]), np.eye(3)), 1.0),)
+    concrete = Surfaces(roughness=0.003, fillet=0.05, chamfer=0.03, growth=0.0, castings=True)
+    scene = Scene(pile, unit, None, concrete, seed=8)
+    body, _, _ = sample_surface(unit, 20000, np.random.default_rng(2))
+    first, second = np.array([2.0, 12.0, 6.0]), np.array([6.5, 8.0, 2.5])
+
+    def cast(station: FloatArray, aims: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        way = aims - station
+        length = np.linalg.norm(way, axis=1)
+        reach, label, cosine = scene.cast(np.broadcast_to(station, way.shape), way / length[:, None])
+        return np.where(label == 7, reach, np.inf), length, cosine
+
+    aims = pile[0].pose.to_frame(body)
+    seen, length, _ = cast(first, aims)
+    met = np.abs(seen - length) < 0.2
+    points = first + (aims[met] - first) * (seen / length)[met, None]
+    again, length, cosine = cast(second, points)
+    off = np.abs(again - length)
+    # some are hidden from there, by far
+    facing = off < 0.1
+    grazing = facing & (cosine > 0.25) & (cosine < 0.4)
+    assert facing.sum() > 1500
+    assert grazing.sum() > 200
+    assert np.quantile(off[facing], 0.95) < 0.002
+    assert np.quantile(off[grazing] * cosine[grazing], 0.9) < 0.001
 
 
 def test_a_settled_pile_rests_on_rock_without_interpenetration() -> None:
