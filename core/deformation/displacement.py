@@ -89,6 +89,28 @@ def relative_covariance(before: FeaturePoints, after: FeaturePoints, joint: Floa
     return np.asarray(rows @ joint @ np.swapaxes(rows, 1, 2))
 
 
+def calibrated_joint(joint: FloatArray, turn: FloatArray, factor: float) -> FloatArray:
+    """(12, 12) covariance of both poses of a unit, of which units at rest have told the ``factor`` of its standard deviations.
+
+    They tell it of what both poses differ by, seen from the body. What both err by alike turns with the body and drops out of the
+    displacement of a unit at rest, which so knows nothing of it: of a unit that turned it is taken to be no less than its adjustment says.
+
+    Parameters
+    ----------
+    joint
+        (12, 12) from the adjustment.
+    turn
+        (3,) rotation vector from the first pose to the second, radians.
+    factor
+        Of the standard deviations of the difference.
+    """
+    alike = max(factor, 1.0)
+    turned = np.kron(np.eye(2), Rotation.from_rotvec(turn).as_matrix())
+    none = np.zeros((6, 6))
+    both = 0.5 * (alike + factor) * np.eye(12) + 0.5 * (alike - factor) * np.block([[none, turned.T], [turned, none]])
+    return np.asarray(both @ joint @ both.T)
+
+
 def turn_vector(before: Pose, after: Pose) -> FloatArray:
     """(3,) rotation vector from one pose to the other about the frame's axes, radians."""
     return np.asarray(Rotation.from_matrix(after.rotation @ before.rotation.T).as_rotvec())
@@ -162,7 +184,7 @@ def unit_motion(unit: UnitPair, null: NullModel, turn_null: NullModel, frame: Fr
     shifts, spread = frame.at(points - points[0])
     vectors = unit.after.positions - points - shifts
     angle = unit.turn - frame.motion[3:]
-    own = null.covariance(relative_covariance(unit.before, unit.after, unit.joint))
+    own = relative_covariance(unit.before, unit.after, calibrated_joint(unit.joint, unit.turn, null.factor)) + null.floor**2 * np.eye(3)
     if frame.carried is not None:
         turned = rigid_jacobian(vectors)[:, :, 3:]
         spread = spread + turned @ frame.carried[3:, 3:] @ np.swapaxes(turned, 1, 2)
