@@ -88,12 +88,15 @@ class StripDrifts:
         (knots, strips, 3) deviation from the strip's offset, metres.
     places
         Physical unit to its number among the knots' units.
+    seen
+        By the knot before some units, numbers of the strips that see any of these.
     """
 
     knots: Knots
     numbers: Mapping[tuple[int, int], int]
     values: FloatArray
     places: Mapping[int, int]
+    seen: Mapping[int, IntArray]
 
     def at(self, unit: int, epoch: int, sources: Sources) -> FloatArray:
         """(s, 3) deviations of strips where a unit lies."""
@@ -101,11 +104,18 @@ class StripDrifts:
         return np.asarray(sum(weight * self.values[k, own] for k, weight in self.knots.weights(self.places[unit])))
 
     def variances_of_mean(self, epoch: int) -> FloatArray:
-        """(3,) variance by axis of the mean drift of an epoch's strips at a place, square metres, as these differ; 0 for less than two."""
-        own = [number for (e, _), number in self.numbers.items() if e == epoch]
-        if len(own) < 2:
-            return np.zeros(3)
-        return np.asarray(np.mean(np.sum(self.values[:, own] ** 2, axis=1), axis=0) / (len(own) - 1) / len(own))
+        """(3,) variance by axis of the mean drift of the strips of an epoch that see a place, square metres, as these differ.
+
+        The mean over all places that two or more of them see; 0 without any.
+        """
+        own = {number for (e, _), number in self.numbers.items() if e == epoch}
+        found = []
+        for knot, strips in self.seen.items():
+            there = [int(k) for k in strips if int(k) in own]
+            if len(there) > 1:
+                between = 0.5 * (self.values[knot, there] + self.values[knot + 1, there])
+                found.append(np.var(between, axis=0, ddof=1) / len(there))
+        return np.asarray(np.mean(found, axis=0)) if found else np.zeros(3)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -42,7 +42,7 @@ from .ends_in_epochs import ends_shown, way_to_ends
 from .joint_records import JointAdjustment, UnitSighting
 from .presence import CHANCE_SDS
 from .streamed_median import StreamedMedian
-from .strip_drifts import DriftSystem, Knots, StripDrifts, UnitEquations
+from .strip_drifts import DriftSystem, Knots, UnitEquations
 from .strip_observations import Body, StripObservations, accumulate, kept_share, observations
 from .strip_systems import DriftStep, OffsetSystem, StripSystem, StripValues, UnitBlock
 from .unit_clouds import ReadCloud, by_home
@@ -451,9 +451,7 @@ class _JointSolver:
             noise=self.noise,
             surface_sd=self.surface_sd,
             used=self.used,
-            drifts=None
-            if self.knots is None
-            else StripDrifts(knots=self.knots, numbers=self.strips, values=self.values.drifts, places=self.place_of),
+            drifts=strips.drifts(self.strips, self.values),
             surfaces={shape: surface.model for shape, surface in self.surfaces.items()},
         )
 

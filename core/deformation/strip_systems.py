@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 
 from ..common.arrays import FloatArray, IntArray
-from .strip_drifts import GAUGE_WEIGHT, DriftSystem, symmetric
+from .strip_drifts import GAUGE_WEIGHT, DriftSystem, StripDrifts, symmetric
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -62,6 +62,9 @@ class StripSystem(Protocol):
     def covariance(self, unit: int, strips: IntArray) -> FloatArray:
         """(3 t, 3 t) covariance of some strips where a unit lies."""
 
+    def drifts(self, numbers: Mapping[tuple[int, int], int], values: StripValues) -> StripDrifts | None:
+        """How strips drift, by (epoch, source) with their numbers; None where they are stiff."""
+
     def offset_sds(self) -> FloatArray:
         """(s, 3) standard deviations of the offsets, metres."""
 
@@ -100,6 +103,10 @@ class OffsetSystem:
         columns = strip_columns(strips)
         return np.asarray(self.cofactor[np.ix_(columns, columns)])
 
+    def drifts(self, numbers: Mapping[tuple[int, int], int], values: StripValues) -> StripDrifts | None:
+        """How strips drift, by (epoch, source) with their numbers; None where they are stiff."""
+        return None
+
     def offset_sds(self) -> FloatArray:
         """(s, 3) standard deviations of the offsets, metres."""
         return np.asarray(np.sqrt(np.diag(self.cofactor)).reshape(-1, 3), dtype=np.float64)
@@ -128,6 +135,11 @@ class DriftStep:
         place = self.system.places[unit]
         lever = self.system.lever(place, strips)
         return np.asarray(lever @ self.cofactors[int(self.system.knots.first[place])] @ lever.T)
+
+    def drifts(self, numbers: Mapping[tuple[int, int], int], values: StripValues) -> StripDrifts | None:
+        """How strips drift, by (epoch, source) with their numbers; None where they are stiff."""
+        knots, places, seen = self.system.knots, self.system.places, self.system.seen
+        return StripDrifts(knots=knots, numbers=numbers, values=values.drifts, places=places, seen=seen)
 
     def offset_sds(self) -> FloatArray:
         """(s, 3) standard deviations of the offsets, metres."""

@@ -170,11 +170,11 @@ def register(
     pool = sum(r.sigma0**2 * r.redundancy for r in others), sum(r.redundancy for r in others)
 
     @cache  # both searches for the targets to use end, as a rule, with the same ones
-    def tests(used: bytes) -> list[tuple[FloatArray, float]]:
+    def outlier_tests(used: bytes) -> list[tuple[FloatArray, float]]:
         kept = np.frombuffer(used, dtype=np.bool_)
         return [_outlier_test(surveyed, measured, variances, kept, similarity, k, pool) for k in range(len(names))]
 
-    used = _snoop(surveyed, measured, variances, similarity, level, lambda used: np.array([p for _, p in tests(used.tobytes())]))
+    used = _snoop(surveyed, measured, variances, similarity, level, lambda used: np.array([p for _, p in outlier_tests(used.tobytes())]))
     fit = weighted_fit(surveyed, measured, variances, used, similarity)
     everything = weighted_fit(surveyed, measured, variances, np.ones(len(names), dtype=bool), similarity)
     residuals = fit.transformation.apply(measured) - surveyed
@@ -189,7 +189,7 @@ def register(
             used=bool(used[k]),
             outlier=not used[k],
         )
-        for k, (name, (statistic, p_value)) in enumerate(zip(names, tests(used.tobytes()), strict=True))
+        for k, (name, (statistic, p_value)) in enumerate(zip(names, outlier_tests(used.tobytes()), strict=True))
     )
     effect, where = 0.0, measured if reference is None else np.asarray(reference, dtype=np.float64).reshape(-1, 3)
     if not used.all():
@@ -416,7 +416,8 @@ def _robust_start(surveyed: FloatArray, measured: FloatArray, variances: FloatAr
         triples = [tuple(t) for t in np.array(triples)[rng.choice(len(triples), 400, replace=False)]]
     keep = max(MIN_TARGETS + 1, count // 2 + 1)
     noise, across = float(math.sqrt(np.median(variances))), _spread_across(measured)
-    index = np.array([triple for triple in triples if _spread_enough(measured[list(triple)], noise, across)]).reshape(-1, 3)
+    spread = [triple for triple in triples if _spread_enough(measured[list(triple)], noise, across)]
+    index = np.array(spread, dtype=np.int64).reshape(-1, 3)
     from_places, to_places = measured[index], surveyed[index]
     from_middle, to_middle = (places.mean(axis=1, keepdims=True) for places in (from_places, to_places))
     rotations, _ = closest_rotation(np.swapaxes(to_places - to_middle, 1, 2) @ (from_places - from_middle))

@@ -322,6 +322,16 @@ def test_targets_of_one_row_never_condemn_the_others() -> None:
         assert Rotation.from_matrix(turn).magnitude() < 0.02
 
 
+@pytest.mark.parametrize(("count", "apart", "off", "sd"), [(20, 1.0, 0.02, 0.007), (8, 6.0, 0.05, 0.018)])
+def test_a_row_of_targets_is_enough_off_one_line_though_no_three_of_them_are(count: int, apart: float, off: float, sd: float) -> None:
+    layout = np.array([[apart * k, off * (-1) ** k, 0.0] for k in range(count)])
+    names = tuple(f"T{k:02d}" for k in range(count))
+    control = SurveyedPoints(names, layout, np.full(layout.shape, sd / np.sqrt(2)))
+    found = module.register(control, control)
+    assert all(r.used for r in found.residuals)
+    assert np.abs(found.transformation.translation).max() < 1e-9
+
+
 def test_residuals_of_other_epochs_sharpen_the_test() -> None:
     """A target 9 sd off in one coordinate, among noise larger than stated: found more often with the residuals of three other epochs."""
     alone, together = 0, 0
