@@ -14,7 +14,7 @@ every image, so that they go where points are kept that several images agree on,
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import map_coordinates
+from scipy.ndimage import distance_transform_edt, map_coordinates
 
 from ..common.arrays import FloatArray, IntArray
 from .virtual_scene import Scene, unit_vectors
@@ -44,8 +44,12 @@ class MatchedView:
         across, down = (np.arange(low, high + 2 * self._step, self._step) for low, high in zip(self._first, seen.max(axis=0), strict=True))
         image = np.stack(np.meshgrid(across, down, indexing="ij"), axis=-1)
         rays = unit_vectors(np.concatenate([image, np.ones((*image.shape[:2], 1))], axis=-1).reshape(-1, 3) @ self._axes)
-        reach, _, _ = scene.cast(np.broadcast_to(camera, rays.shape), rays)
+        reach, label, _ = scene.cast(np.broadcast_to(camera, rays.shape), rays)
         depth = np.minimum(reach * (rays @ forward), FARTHEST).reshape(image.shape[:2])
+        # beams that pass beside the rim of a unit leave no holes in an image
+        beside = (np.isinf(reach) & (label > 0)).reshape(image.shape[:2])
+        if not beside.all():
+            depth = depth[tuple(distance_transform_edt(beside, return_distances=False, return_indices=True))]
         self._filled = depth + closed(-depth, radius, pixel)
 
     def cast(self, origins: FloatArray, directions: FloatArray) -> tuple[FloatArray, IntArray, FloatArray]:

@@ -25,10 +25,12 @@ WALL, TABLE, ROCK, WATER, OUTLIER, OBJECT = -1, -2, -3, -4, -5, -6
 REFERENCE_HEIGHT = 2.3
 """Unit height in metres for which the instruments' ray spacings below are stated; a site in proportion is seen in proportion."""
 
-ON_SURFACE, LONGEST_STEP = 1e-4, 0.02
-"""Distance from a surface with relief within which a beam is taken to have met it, and longest step along the beam to get there, shares of
-the unit's height."""
-BEAM_STEPS = 10
+ON_FACETS = 0.008
+"""Distance from the ideal cones, a share of the unit's height, within which a facet stands for them; others are faces of fracture."""
+ON_SURFACE, LONGEST_STEP, LONGEST_WAY = 1e-4, 0.02, 0.03
+"""Distance from a surface with relief within which a beam is taken to have met it, longest step along the beam to get there, and longest
+way in all (rounded tips are passed beyond), shares of the unit's height."""
+BEAM_STEPS = 20
 """Steps after which a beam that has not met the surface of the facets it hit is taken to pass beside it: at silhouettes and rims."""
 LEAST_COSINE, GRAZING = 0.1, 0.25
 """Least cosine of incidence by which a step is lengthened, and least that is given for a hit (assumed: noise grows no more)."""
@@ -127,25 +129,39 @@ class Scene:
     ) -> None:
         """Move hits from the facets along their beams to the curved surface with its relief, in place; beams that pass beside it are lost.
 
-        A relief that were read off at the facets would depend on the station: a beam that grazes the surface meets it centimetres farther
-        along.
+        A relief that is read off at the facets depends on the station: a beam that grazes the surface meets it centimetres farther along.
+        So it is read there only for faces of fracture, which no ideal cone bears.
         """
         piled = self.units[number]
         shape = piled.shape(self.unit)
-        left = which
-        for _ in range(BEAM_STEPS):
-            at = origins[left] + directions[left] * distance[left, None]
-            body = piled.pose.to_body(at)
+
+        def at(rays: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+            """Distances from the ideal cones, relief and cosines of incidence of rays on their way."""
+            place = origins[rays] + directions[rays] * way[:, None]
+            body = piled.pose.to_body(place)
             relation = relate(body, shape)
-            steep = np.abs(np.sum((relation.normal @ piled.pose.rotation.T) * directions[left], axis=1))
-            cosine[left] = np.clip(steep, GRAZING, 1)
-            short = relation.distance - self._relief(piled, shape, body, at[:, 2])
-            off = np.abs(short) > ON_SURFACE * shape.height
-            left, short, steep = left[off], short[off], steep[off]
+            steep = -np.sum((relation.normal @ piled.pose.rotation.T) * directions[rays], axis=1)
+            return relation.distance, self._relief(piled, shape, body, place[:, 2]), steep
+
+        start = distance[which]
+        outside, relief, steep = at(which, start)
+        cosine[which] = np.clip(np.abs(steep), GRAZING, 1)
+        cone = np.abs(outside) < ON_FACETS * shape.height
+        distance[which] = np.where(cone, np.inf, start - relief / cosine[which])
+        left = which[cone]
+        start, way, short, steep = (a[cone] for a in (start, start, outside - relief, steep))
+        for _ in range(BEAM_STEPS):
+            step = LONGEST_STEP * shape.height
+            way = way + np.clip(short / np.maximum(np.abs(steep), LEAST_COSINE), -step, step)
+            outside, relief, steep = at(left, way)
+            short = outside - relief
+            reached = (np.abs(short) < ON_SURFACE * shape.height) & (steep > 0) & (np.abs(way - start) < LONGEST_WAY * shape.height)
+            distance[left[reached]] = way[reached]
+            cosine[left[reached]] = np.clip(steep[reached], GRAZING, 1)
+            left = left[~reached]
+            start, way, short, steep = (a[~reached] for a in (start, way, short, steep))
             if not len(left):
                 break
-            distance[left] += np.clip(short / np.maximum(steep, LEAST_COSINE), -LONGEST_STEP * shape.height, LONGEST_STEP * shape.height)
-        distance[left] = np.inf
 
     def _relief(self, piled: PiledUnit, shape: UnitType, body: FloatArray, level: FloatArray) -> FloatArray:
         rng = np.random.default_rng([self.seed, piled.number, 77])

@@ -5,11 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from tetratrack.core.common.errors import InputError
+from tetratrack.core.model.pose import Pose
+from tetratrack.core.model.tetrapod import sample_surface
+from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.simulation.armour_pile import PiledUnit
 from tetratrack.core.simulation.smoothing_matcher import MatchedView, closed
 from tetratrack.core.simulation.survey_plan import SimulationPlan
 from tetratrack.core.simulation.virtual_instruments import Instrument
 from tetratrack.core.simulation.virtual_scanner import ISLAND_HEIGHTS, MISMATCHED, WRONG_DEPTH_HEIGHTS, Returns, mismatched
-from tetratrack.core.simulation.virtual_scene import OUTLIER
+from tetratrack.core.simulation.virtual_scene import OUTLIER, Scene, Surfaces
 
 SPACING = 0.02
 X, Y = np.meshgrid(np.arange(-1, 1, SPACING), np.arange(-1, 1, SPACING), indexing="ij")
@@ -76,6 +80,22 @@ def test_an_image_shows_a_gap_bridged_and_the_rest_where_it_is() -> None:
     inner = np.abs(Y) < 0.6
     assert height[inner & (np.abs(X) > 0.15) & (np.abs(X) < 0.6)] == pytest.approx(0.0, abs=1e-3)
     assert height[inner & (np.abs(X) < 0.03)] == pytest.approx(-(0.1**2) / 0.6, abs=0.01)
+
+
+@pytest.mark.parametrize("castings", [False, True])
+def test_bridges_reach_no_farther_than_hollows_are_deep(castings: bool) -> None:
+    """An image of a real scene has no pixel without a depth amid a unit, which would pull its neighbours away."""
+    unit = UnitType.tetrapod(2.0)
+    pile = tuple(PiledUnit(k + 1, Pose(np.array([1.7 * k, 0.0, 1.0]), np.eye(3)), 1.0) for k in range(2))
+    scene = Scene(pile, unit, None, Surfaces(roughness=0.003, fillet=0.05, chamfer=0.03, growth=0.0, castings=castings), seed=8)
+    body, _, _ = sample_surface(unit, 4000, np.random.default_rng(2))
+    aims, camera = np.vstack([own.pose.to_frame(body) for own in pile]), np.array([0.5, 4.0, 20.0])
+    directions = (aims - camera) / np.linalg.norm(aims - camera, axis=1)[:, None]
+    origins = np.broadcast_to(camera, directions.shape)
+    there, label, _ = scene.cast(origins, directions)
+    drawn, _, _ = MatchedView(scene, camera, aims, 0.15, 0.03).cast(origins, directions)
+    met = np.isfinite(there) & (label > 0)
+    assert np.abs(drawn[met] - there[met]).max() < 2 * unit.height
 
 
 def test_hollows_that_few_images_see_leave_islands_at_a_wrong_depth() -> None:

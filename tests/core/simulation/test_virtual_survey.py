@@ -231,6 +231,36 @@ def test_a_casting_shows_every_station_the_same_surface() -> None:
     assert np.quantile(off[grazing] * cosine[grazing], 0.9) < 0.001
 
 
+def test_few_beams_that_come_in_steeply_pass_beside_a_casting() -> None:
+    unit = UnitType.tetrapod(2.0)
+    concrete = Surfaces(roughness=0.003, fillet=0.05, chamfer=0.03, growth=0.0, castings=True)
+    scene = Scene((PiledUnit(7, Pose(np.zeros(3), np.eye(3)), 1.0),), unit, None, concrete, seed=8)
+    across = np.random.default_rng(1).uniform(-1.3, 1.3, (20000, 2))
+    start = np.column_stack([across, np.full(len(across), 5.0)])
+    reach, label, cosine = scene.cast(start, np.broadcast_to([0.0, 0.0, -1.0], start.shape))
+    steep = (label == 7) & (cosine > 0.5)
+    assert steep.sum() > 1500
+    assert np.isinf(reach[steep]).mean() < 0.06
+
+
+@pytest.mark.parametrize("castings", [False, True])
+def test_a_face_of_fracture_is_seen_where_the_leg_is_broken(castings: bool) -> None:
+    unit = UnitType.tetrapod(2.0)
+    remaining = 0.6 * unit.leg_length
+    pile = (PiledUnit(7, Pose(np.zeros(3), np.eye(3)), 1.0, broken_leg=0, broken_length=remaining),)
+    scene = Scene(pile, unit, None, Surfaces(roughness=0.003, fillet=0.05, chamfer=0.03, growth=0.0, castings=castings), seed=8)
+    axis = unit.leg_directions[0]
+    rng = np.random.default_rng(3)
+    across = rng.normal(0, 0.1, (2000, 3))
+    across -= (across @ axis)[:, None] * axis
+    start = across[np.linalg.norm(across, axis=1) < 0.25] + 3 * axis
+    reach, label, _ = scene.cast(start, np.broadcast_to(-axis, start.shape))
+    assert (label == 7).all()
+    # the plane of the fracture is oblique
+    assert (3 - reach) == pytest.approx(remaining, abs=0.2)
+    assert np.median(3 - reach) == pytest.approx(remaining, abs=0.03)
+
+
 def test_a_settled_pile_rests_on_rock_without_interpenetration() -> None:
     unit = UnitType.tetrapod(2.3)
     site = Site.of_height(2.3, 12, parapet=True)
