@@ -10,6 +10,7 @@ import compileall
 import multiprocessing
 import tempfile
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +22,6 @@ from ..core.common.arrays import FloatArray
 from ..core.common.feedback import Feedback
 from ..core.common.patch_means import PatchMeans
 from ..core.data.survey_reader import read_survey
-from ..core.model.outline import PlacedShape
 from ..core.model.pose import Pose
 from ..core.model.tetrapod import sample_surface
 from ..core.model.unit_types import UnitType
@@ -86,17 +86,7 @@ def fit_a_unit() -> None:
     for covariances in (None, np.tile(NOISE**2 * np.eye(3), (POINTS, 1, 1))):
         adjust(points, unit, start, options=AdjustmentOptions(radius_sd=0.01, gradient_sd=0.01), covariances=covariances)
     # at the survey's end
-    shapes = [
-        PlacedShape(
-            centre=centre,
-            rotation=np.eye(3),
-            radius=unit.radius,
-            gradient=unit.gradient,
-            leg_length=unit.leg_length,
-            legs=unit.leg_directions,
-        )
-        for centre in np.diag([0.0, 0.0, unit.height])[1:]
-    ]
+    shapes = [replace(unit.in_body, centre=centre) for centre in np.diag([0.0, 0.0, unit.height])[1:]]
     free_gaps(shapes, np.array([[0, 1]]))
     # the survey's noise is not so large that its elements are smoothed, nor its points so few that whole units are searched for
     elements = surface_elements(points, unit.height, workers=1)

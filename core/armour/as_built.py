@@ -31,23 +31,10 @@ class Solid:
 
     unit: UnitType
 
-    @property
-    def shape(self) -> PlacedShape:
-        """The solid in its body frame."""
-        unit = self.unit
-        return PlacedShape(
-            centre=np.zeros(3),
-            rotation=np.eye(3),
-            radius=unit.radius,
-            gradient=unit.gradient,
-            leg_length=unit.leg_length,
-            legs=np.asarray(unit.leg_directions),
-        )
-
     @cached_property
     def faces(self) -> Facets:
         """Faces in the body frame, metres."""
-        return facets(self.shape, SIDES)
+        return facets(self.unit.in_body, SIDES)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -10,6 +10,7 @@ import numpy as np
 from ..common.arrays import FloatArray, IntArray
 from ..common.kernels import kernel
 from ..model.outline import PlacedShape
+from ..model.tetrapod import across_axes
 
 ALONG, AROUND = 14, 16
 """Points along a leg, those of its end disc among them, and around it that stand for its surface in the first search."""
@@ -40,10 +41,7 @@ def reach_of(shape: PlacedShape) -> float:
 def _record(shape: PlacedShape, origin: FloatArray) -> FloatArray:
     """(42,) a unit for the loops: centre, radius, gradient, leg length, and by leg its axis and two directions across it, in the CRS."""
     parts = [shape.centre - origin, np.array([shape.radius, shape.gradient, shape.leg_length])]
-    helpers = np.where(np.abs(shape.legs[:, 2:]) < 0.9, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0])
-    first = np.cross(helpers, shape.legs)
-    first /= np.linalg.norm(first, axis=1)[:, None]
-    for own in zip(shape.legs, first, np.cross(shape.legs, first), strict=True):
+    for own in zip(shape.legs, *across_axes(shape.legs), strict=True):
         parts += [shape.rotation @ v for v in own]
     return np.concatenate(parts)
 

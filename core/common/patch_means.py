@@ -34,6 +34,7 @@ SEED = np.dtype([("e", np.float64), ("n", np.float64), ("h", np.float64), ("befo
 cache, as most of the time goes into waiting for these."""
 _FEWEST_ROWS = 1 << 15
 _MOST_EXPECTED = 10_000_000
+"""Points up to which room is made before they come: some 250 MB."""
 _PATCHES, _VOXELS, _SUMS = range(3)
 
 

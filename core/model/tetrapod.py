@@ -247,11 +247,15 @@ def _crease(unit: UnitType, leg: int, radial: FloatArray) -> FloatArray:
 
 def across_legs(unit: UnitType) -> tuple[FloatArray, FloatArray]:
     """Two (4, 3) sets of unit vectors that complete each leg's axis to a right-handed frame."""
-    axis = unit.leg_directions
-    help_axis = np.where(np.abs(axis[:, 2:3]) < 0.9, [[0.0, 0.0, 1.0]], [[1.0, 0.0, 0.0]])
-    first = np.cross(help_axis, axis)
+    return across_axes(unit.leg_directions)
+
+
+def across_axes(axes: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Two (k, 3) sets of unit vectors that complete each of (k, 3) unit vectors to a right-handed frame."""
+    help_axis = np.where(np.abs(axes[:, 2:3]) < 0.9, [[0.0, 0.0, 1.0]], [[1.0, 0.0, 0.0]])
+    first = np.cross(help_axis, axes)
     first /= np.linalg.norm(first, axis=1, keepdims=True)
-    return first, np.cross(axis, first)
+    return first, np.cross(axes, first)
 
 
 def leg_frame(unit: UnitType) -> tuple[FloatArray, FloatArray]:

@@ -154,6 +154,18 @@ class UnitType:
         angle = math.acos(1 / 3)
         return self.radius / (math.sin(angle) + self.gradient * math.cos(angle))
 
+    @property
+    def in_body(self) -> PlacedShape:
+        """The unit in its body frame."""
+        return PlacedShape(
+            centre=np.zeros(3),
+            rotation=np.eye(3),
+            radius=self.radius,
+            gradient=self.gradient,
+            leg_length=self.leg_length,
+            legs=np.asarray(self.leg_directions),
+        )
+
     def with_shape(self, radius: float, gradient: float) -> UnitType:
         """The same unit with a calibrated radius and gradient."""
         return replace(self, radius=float(radius), gradient=float(gradient))

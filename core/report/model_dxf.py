@@ -65,7 +65,7 @@ def layer_name(prefix: str, kind: str) -> str:
 def _add_block(drawing: Any, name: str, solid: Solid) -> None:
     """Faces of a solid on layer 0, so that they take colour and layer of each insert."""
     block = drawing.blocks.new(name)
-    body = facets(solid.shape, SIDES)
+    body = facets(solid.unit.in_body, SIDES)
     for face in body.lateral:
         block.add_3dface([tuple(corner) for corner in face.tolist()])
     for ring in body.rim.tolist():
