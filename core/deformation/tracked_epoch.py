@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 
+import numpy as np
+
 from ..common.arrays import FloatArray
 from ..model.pose import Pose
 from ..registration.transformation import Transformation, mean_offset_variance
@@ -38,6 +40,8 @@ class TrackedEpoch:
         Index of the epoch that this one was registered to on stable areas, so that it shares that one's error; None for control.
     offset_variance
         Variance of the mean offset of the epoch's strips or stations per axis, square metres: what a registration cannot know.
+    drift_variances
+        (3,) by axis, of the mean of their drifts at a place, in the same way; zero where they are stiff.
     targets
         Its targets after the registration; None without control.
     datum
@@ -51,13 +55,24 @@ class TrackedEpoch:
     redundancy: int = 0
     tied_to: int | None = None
     offset_variance: float = 0.0
+    drift_variances: FloatArray = field(default_factory=lambda: np.zeros(3))
     targets: TargetShifts | None = None
     datum: str = "cloud"
 
     @property
     def placement(self) -> Transformation | None:
-        """The registration with the mean offset of the strips, as a common shift, added to its covariance."""
-        return None if self.registration is None else self.registration.with_offset(self.offset_variance)
+        """The registration with the mean offset of the strips and the mean of their drifts, as a common shift, added to its covariance.
+
+        The drifts differ from place to place; where the frame stays rigid, what they leave open of one place is asked of all.
+        """
+        return None if self.registration is None else self.registration.with_offset(self.offset_variance + self.drift_variances)
+
+    @property
+    def placed_targets(self) -> TargetShifts | None:
+        """Its targets with what its strips leave open of its units' place and not of theirs; None without control."""
+        if self.targets is None:
+            return None
+        return replace(self.targets, offset_variance=self.offset_variance, drift_variances=self.drift_variances)
 
     def with_mean_offset(self, offsets: Mapping[int, FloatArray], noise: float) -> TrackedEpoch:
         """The epoch with the variance of the mean offset of its strips or stations, as they show it or, without numbers, as is assumed.

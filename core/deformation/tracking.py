@@ -53,7 +53,7 @@ class Tracking:
     units
         By physical unit: epoch index to its state.
     registrations
-        By epoch: transformation to control with the uncertainty of the mean offset of its strips or stations added.
+        By epoch: transformation to control with the uncertainty of the mean offset and drift of its strips or stations added.
     offset_variances
         By epoch: that of this mean offset per axis, square metres.
     pairs
@@ -218,13 +218,7 @@ def _frames(units: TrackedUnits, epochs: Sequence[TrackedEpoch], choice: FrameCh
     places = [s.pose.centre for states in units.states for s in states.values() if s.pose is not None]
     height = max(unit.height for unit in units.types)
     pairs = [shifts_between(units, k, k + 1) for k in range(len(epochs) - 1)]
-    drifts = units.joint.drifts
-    drifting = [np.zeros(3) if drifts is None else drifts.variances_of_mean(k) for k in range(len(epochs))]
-    targets = [
-        None if e.targets is None else replace(e.targets, offset_variance=e.offset_variance, drift_variances=drifting[k])
-        for k, e in enumerate(epochs)
-    ]
-    return estimate_frames(pairs, targets, np.array(places).reshape(-1, 3), height, choice)
+    return estimate_frames(pairs, [e.placed_targets for e in epochs], np.array(places).reshape(-1, 3), height, choice)
 
 
 def _without_rivals(
@@ -294,7 +288,9 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
 def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) -> TrackedEpoch:
     """The epoch with what its strips leave open of its place, as the joint adjustment of its units shows it."""
     offsets = {source: offset for (own, source), offset in joint.offsets.items() if own == number}
-    return epoch.with_mean_offset(offsets, float(joint.noise[number])) if offsets else epoch
+    if offsets:
+        epoch = epoch.with_mean_offset(offsets, float(joint.noise[number]))
+    return epoch if joint.drifts is None else replace(epoch, drift_variances=joint.drifts.variances_of_mean(number))
 
 
 def _cross_checks(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import UTC, datetime
 
 import numpy as np
 import pytest
+from tetratrack.core.deformation.epoch_frames import TargetShifts
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
 from tetratrack.core.registration.transformation import Transformation
 
@@ -38,3 +40,19 @@ def test_a_single_station_is_known_as_well_as_its_targets() -> None:
     epoch = EPOCH.with_mean_offset({7: np.zeros(3)}, 0.015)
     assert epoch.offset_variance == 0
     assert shift_sd(EPOCH.with_mean_offset({}, np.nan)) == 0
+
+
+def test_what_strips_drift_in_the_mean_is_in_a_rigid_registration() -> None:
+    """Targets do not drift with the strips: units are known less well, axis by axis, and the targets themselves are told so."""
+    targets = TargetShifts(ids=("T1",), positions=np.zeros((1, 3)), residuals=np.zeros((1, 3)), variances=np.full((1, 3), 1e-6))
+    stiff = replace(EPOCH.with_mean_offset({0: np.zeros(3)}, 0.015), targets=targets)
+    drifting = replace(stiff, drift_variances=np.array([16e-6, 9e-6, 4e-6]))
+    assert stiff.placement is not None
+    assert drifting.placement is not None
+    more = drifting.placement.covariance - stiff.placement.covariance
+    assert more == pytest.approx(np.diag([16e-6, 9e-6, 4e-6, 0, 0, 0, 0]))
+    told = drifting.placed_targets
+    assert told is not None
+    assert told.offset_variance == pytest.approx(9e-6)
+    assert told.drift_variances == pytest.approx([16e-6, 9e-6, 4e-6])
+    assert EPOCH.placed_targets is None

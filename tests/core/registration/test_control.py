@@ -79,8 +79,8 @@ def test_covariance_of_a_pose_follows_the_seven_parameters() -> None:
         turned = Rotation.from_matrix(moved.rotation @ placed.rotation.T).as_rotvec()
         effect[:, k] = np.append(moved.centre - placed.centre, turned) / step
     np.testing.assert_allclose(given.pose_covariance(placed), effect @ given.covariance @ effect.T, rtol=1e-3, atol=1e-8)
-    more = given.with_offset(0.01).pose_covariance(placed) - given.pose_covariance(placed)
-    np.testing.assert_allclose(more, np.diag([0.01] * 3 + [0.0] * 3), atol=1e-9)
+    more = given.with_offset(np.array([0.01, 0.02, 0.03])).pose_covariance(placed) - given.pose_covariance(placed)
+    np.testing.assert_allclose(more, np.diag([0.01, 0.02, 0.03, 0.0, 0.0, 0.0]), atol=1e-9)
 
 
 def test_variance_of_a_mean_offset() -> None:
