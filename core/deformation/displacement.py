@@ -23,7 +23,7 @@ from ..model.feature_points import FEATURES, FeaturePoints
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..registration.transformation import rigid_jacobian
-from .congruence import NullModel, f_p_value, quadratic
+from .congruence import NullModel, f_p_value, pooled_degrees, quadratic
 
 SIGNIFICANCE = 0.05
 POWER = 0.8
@@ -133,7 +133,7 @@ class FramePart:
     motion, covariance
         (6,), (6, 6) shift (m) and rotation vector (rad) of a small body at the unit's centre.
     degrees
-        Degrees of freedom of the test in this datum.
+        Degrees of freedom with which that covariance is known.
     carried
         (7, 7) covariance of the later epoch's registration; None without. Its turn and scale change a displacement by its length, and
         count where a unit was carried by metres.
@@ -191,6 +191,7 @@ def unit_motion(unit: UnitPair, null: NullModel, turn_null: NullModel, frame: Fr
     own_turn, turn_spread = turn_null.covariance(unit.turn_covariance), frame.covariance[3:, 3:]
     # the tests take a unit's own part for t distributed with that scale; what is stated is the variance of that distribution
     statistics = quadratic(vectors, own + spread) / frame.factor
+    degrees = pooled_degrees(own, null.tail, spread, frame.degrees)
     turn_statistic = angle @ np.linalg.solve(own_turn + turn_spread, angle)
     covariances = null.spread * own + spread
     turn_total = turn_null.spread * own_turn + turn_spread
@@ -203,7 +204,7 @@ def unit_motion(unit: UnitPair, null: NullModel, turn_null: NullModel, frame: Fr
         turn=size,
         turn_sd=float(math.sqrt(along @ turn_total @ along)),
         statistics=statistics,
-        p_values=f_p_value(statistics, frame.degrees),
+        p_values=f_p_value(statistics, degrees),
         turn_p_value=float(turn_null.p_value(np.array([turn_statistic]))[0]),
         detectable=_detection_factor(frame.factor) * np.sqrt(np.linalg.eigvalsh(covariances)[:, -1]),
     )

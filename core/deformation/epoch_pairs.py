@@ -15,7 +15,7 @@ from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..model.feature_points import feature_points
 from ..model.unit_types import UnitType
 from ..registration.frame_field import LocalMotions
-from .congruence import Congruence, NullModel, calibrate, congruence_of, pooled_degrees
+from .congruence import Congruence, NullModel, calibrate, congruence_of
 from .control_scale import with_rigid_scale
 from .displacement import (
     FramePart,
@@ -133,17 +133,15 @@ def compare_epochs(units: TrackedUnits, epochs: Sequence[TrackedEpoch], first: i
     turn_null = calibrate(turns[judged] - parts["stable"].means[judged, 3:], turn_covariances[judged], 1.0)
     placement = epochs[second].placement
     carried = None if placement is None else placement.covariance
-    own, tail = congruence.null.covariance(members.covariances), congruence.null.tail
     # what neighbours say is the word of many
     known = {"stable": math.inf, "control": congruence.control_degrees}
     factors = {"stable": 1.0, "control": congruence.control_factor}
-    tails = {datum: pooled_degrees(own, tail, parts[datum].covariances[:, :3, :3], known[datum]) for datum in DATUMS}
     own_frames = [
         {
             datum: FramePart(
                 motion=parts[datum].means[i],
                 covariance=parts[datum].covariances[i],
-                degrees=float(tails[datum][i]),
+                degrees=known[datum],
                 carried=carried,
                 factor=factors[datum],
             )

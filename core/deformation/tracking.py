@@ -360,7 +360,7 @@ def _placed(number: int, state: TrackedUnit, unit: UnitType, calibration: PoseCa
     if state.pose is None or state.covariance is None:
         raise ValueError("a unit without pose has no feature points")
     covariance = np.zeros((8, 8))
-    covariance[:6, :6] = calibration.covariance(state.covariance)
+    covariance[:6, :6] = calibration.covariance_among_epochs(state.covariance)
     points = feature_points(state.pose, unit_shape(unit, state.scale), covariance)
     if to_first is None:
         return points

@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 from scipy.stats import false_discovery_control, kstest
-from tetratrack.core.deformation.congruence import Congruence, congruence_of
+from tetratrack.core.deformation.congruence import Congruence, PoseCalibration, congruence_of
 from tetratrack.core.deformation.displacement import (
     FramePart,
     UnitPair,
@@ -168,6 +168,19 @@ def test_what_units_at_rest_tell_of_deviations_does_not_hold_for_what_turns_with
             assert square == pytest.approx(1.0, abs=0.06)
         spin = np.hstack([np.zeros((3, 3)), -turned[:3, :3], np.zeros((3, 3)), np.eye(3)])
         assert np.cov(around.T) == pytest.approx(spin @ found @ spin.T, abs=0.15 * factor**2 * 1e-8)
+
+
+@pytest.mark.parametrize("factor", [0.4, 1.0, 1.6])
+def test_a_pose_by_itself_is_known_no_better_than_its_adjustment_says(factor: float) -> None:
+    """Units at rest do not show what both epochs err by alike, which is in the pose of each."""
+    calibration = PoseCalibration.of_pairs([(factor, 0.002, 1.0, 0.0)])
+    stated = np.diag([0.003**2] * 3 + [0.001**2] * 3)
+    floors = [0.5 * 0.002**2] * 3 + [0.0] * 3
+    for found, scale in (
+        (calibration.covariance(stated), max(factor, 1.0)),
+        (calibration.covariance_among_epochs(stated), factor),
+    ):
+        assert np.diag(found) == pytest.approx(np.diag(stated) * ([scale**2] * 3 + [1.0] * 3) + floors)
 
 
 def test_adjusted_p_values_are_those_of_benjamini_and_hochberg() -> None:
