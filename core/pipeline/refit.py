@@ -228,7 +228,7 @@ def _covariance_in_control(result: Path, info: EpochInfo, own: FloatArray, pose:
     # an earlier version has not said how far the mean offset is known
     offsets = list(info.settings.get("source_offsets_m", {}).values())
     sd = info.settings.get("mean_offset_sd_m", math.sqrt(mean_offset_variance(offsets)))
-    return covariance + transformation.with_offset(sd**2).pose_covariance(pose)
+    return covariance + transformation.with_offset(np.full(3, sd**2)).pose_covariance(pose)
 
 
 def _calibration(result: Path, epoch: str) -> PoseCalibration:
