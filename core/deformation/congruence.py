@@ -86,13 +86,7 @@ class PoseCalibration:
         What the poses of both epochs err by alike, the casting's part, drops out of displacements at rest: a factor below one says nothing
         of it, and leaves the covariance as it is.
         """
-        return self._scaled(covariance, np.maximum(self.factors, 1.0))
-
-    def covariance_among_epochs(self, covariance: FloatArray) -> FloatArray:
-        """(6, 6) covariance of a pose as one of those of a unit that is followed over the epochs, from that of its adjustment."""
-        return self._scaled(covariance, self.factors)
-
-    def _scaled(self, covariance: FloatArray, factors: FloatArray) -> FloatArray:
+        factors = np.maximum(self.factors, 1.0)
         # the floor of a difference belongs half to each of its epochs
         return np.asarray(covariance * np.outer(factors, factors) + np.diag(0.5 * self.floors**2))
 

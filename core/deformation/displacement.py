@@ -1,4 +1,4 @@
-"""Displacement of a unit's feature points and its rotation between two epochs, with tests, classes, detection limits and velocities.
+"""Displacement of a unit's feature points and its rotation between two epochs, with tests, classes and detection limits.
 
 Covariances hold the fits of both epochs (calibrated, see :mod:`congruence`) and the part common to all units. A displacement is tested
 against zero as a vector of three components: ``significant`` is that single test at the stated level, while the class of a unit
@@ -15,11 +15,11 @@ from functools import cache
 
 import numpy as np
 from scipy.spatial.transform import Rotation
-from scipy.special import chdtrc, chdtri, fdtrc
+from scipy.special import chdtrc, chdtri
 
 from ..common.arrays import FloatArray
 from ..common.noncentrality import noncentrality
-from ..model.feature_points import FEATURES, FeaturePoints
+from ..model.feature_points import FeaturePoints
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..registration.transformation import rigid_jacobian
@@ -27,7 +27,6 @@ from .congruence import NullModel, f_p_value, pooled_degrees, quadratic
 
 SIGNIFICANCE = 0.05
 POWER = 0.8
-SECONDS_PER_YEAR = 365.25 * 86400
 
 
 @dataclass(frozen=True)
@@ -243,48 +242,3 @@ def grade(length: float, significant: bool, unit: UnitType, grades: Sequence[Gra
         return "below detection limit"
     passed = [(g.metres(unit), g.name) for g in grades if length > g.metres(unit)]
     return max(passed)[1] if passed else "significant"
-
-
-@dataclass(frozen=True, eq=False)
-class Velocity:
-    """Linear motion of a feature through more than two epochs.
-
-    Attributes
-    ----------
-    vector, sd
-        (3,) metres a year.
-    misfit_p_value
-        Test of the positions against a straight uniform motion.
-    """
-
-    feature: str
-    vector: FloatArray
-    sd: FloatArray
-    misfit_p_value: float
-
-
-def velocity(feature: int, years: FloatArray, positions: FloatArray, covariances: FloatArray, tail: float) -> Velocity:
-    """Weighted straight line through positions.
-
-    Parameters
-    ----------
-    feature
-        Index in ``FEATURES``.
-    years
-        (e,) times of the epochs.
-    positions, covariances
-        (e, 3), (e, 3, 3) in one datum; covariances of the epochs' own errors.
-    tail
-        Degrees of freedom of the calibrated errors.
-    """
-    t = years - years.mean()
-    weights = np.linalg.inv(covariances)
-    design = np.array([np.hstack([np.eye(3), k * np.eye(3)]) for k in t])
-    normal = np.einsum("eia,eij,ejb->ab", design, weights, design)
-    cofactor = np.linalg.inv(normal)
-    solution = cofactor @ np.einsum("eia,eij,ej->a", design, weights, positions)
-    residuals = positions - design @ solution
-    degrees = 3 * len(t) - 6
-    form = float(np.einsum("ei,eij,ej->", residuals, weights, residuals))
-    p = float(fdtrc(degrees, tail, form / degrees)) if degrees > 0 else 1.0
-    return Velocity(FEATURES[feature], solution[3:], np.sqrt(np.diag(cofactor)[3:]), p)

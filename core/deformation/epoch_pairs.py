@@ -244,10 +244,10 @@ def _classified(
     )
 
 
-def joint_block(joint: JointAdjustment, unit: int, first: int, second: int) -> FloatArray:
-    """(12, 12) covariance of the poses of two sightings of a unit."""
+def joint_block(joint: JointAdjustment, unit: int, *sightings: int) -> FloatArray:
+    """(6 k, 6 k) covariance of the poses of k sightings of a unit."""
     order = joint.order[unit]
-    index = np.concatenate([6 * order.index(n) + np.arange(6) for n in (first, second)])
+    index = np.concatenate([6 * order.index(n) + np.arange(6) for n in sightings])
     return np.asarray(joint.covariances[unit][np.ix_(index, index)])
 
 

@@ -14,7 +14,6 @@ import numpy as np
 from scipy.linalg import block_diag
 
 from ..common.arrays import FloatArray
-from ..model.feature_points import FEATURES, FeaturePoints, feature_points
 from ..model.mould import Mould
 from ..model.unit_types import UnitType
 from ..registration.frame_field import LocalMotions
@@ -23,10 +22,9 @@ from .chained_frames import chained_errors
 from .checked_units import checks_of, cross_check_questions
 from .congruence import PoseCalibration
 from .cross_check import CrossCheck
-from .displacement import SECONDS_PER_YEAR, FramePart, Velocity, velocity
 from .elastic_congruence import FrameTie
 from .epoch_frames import EpochFrames, FrameChoice, estimate_frames
-from .epoch_pairs import EpochPair, TrackedUnits, compare_epochs, shifts_between, unit_shape
+from .epoch_pairs import EpochPair, TrackedUnits, compare_epochs, shifts_between
 from .evidence_of_epochs import SAME_PLACE_HEIGHTS
 from .fitted_unit import FittedUnit
 from .identity import FoundUnits, Track, identify
@@ -40,6 +38,7 @@ from .shared_twists import settle_together
 from .strip_offsets import adjust_jointly
 from .tracked_epoch import TrackedEpoch, TrackedUnit
 from .unit_states import SURE_SCORE, doubted_where_open, odd_sizes, states_of
+from .velocities import Velocity, velocities_of_units
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -56,6 +55,8 @@ class Tracking:
         By epoch: transformation to control with the uncertainty of the mean offset and drift of its strips or stations added.
     offset_variances
         By epoch: that of this mean offset per axis, square metres.
+    drift_variances
+        By epoch: (3,) those of the mean drift by axis, square metres.
     pairs
         All pairs of epochs.
     calibrations
@@ -77,6 +78,7 @@ class Tracking:
     units: tuple[dict[int, TrackedUnit], ...]
     registrations: tuple[Transformation | None, ...]
     offset_variances: tuple[float, ...]
+    drift_variances: tuple[FloatArray, ...]
     pairs: tuple[EpochPair, ...]
     calibrations: tuple[PoseCalibration, ...]
     joint: JointAdjustment
@@ -148,21 +150,17 @@ def track(
     tracked = [states_of(k, tracks[k], seen[k], states[k], joint, numbers, len(epochs), k in odd) for k in range(len(tracks))]
     known = TrackedUnits(types=units, tracks=tracks, states=tracked, joint=joint, numbers=numbers)
     frames = _frames(known, epochs, frame)
-    settled: list[tuple[TrackedUnits, tuple[EpochPair, ...]]] = []
-    # points say the same of units whose poses are doubted meanwhile: what they say is left out afterwards
-    checks = _cross_checks(seen, joint, numbers, len(epochs), ask, lambda: settled.append(_settled(known, epochs, frames)))
-    known, pairs = settled[0]
-    tracked = [dict(own) for own in known.states]
-    checks = _of_posed(checks, [with_poses(own, tracked[k]) for k, own in enumerate(seen)])
+    known, pairs, checks = _settled_and_checked(known, epochs, frames, seen, ask)
     calibrations = _calibrations(pairs, len(epochs))
-    velocities = _velocities(epochs, units, tracks, tracked, pairs, calibrations) if len(epochs) > 2 else {}
+    velocities = velocities_of_units(known, [e.time for e in epochs], pairs)
     if frames is not None:
         frames = replace(frames, errors=chained_errors(frames, _ties_of_neighbours(pairs)))
     return Tracking(
         kinds=tuple(t.kind for t in tracks),
-        units=tuple(tracked),
+        units=tuple(dict(own) for own in known.states),
         registrations=tuple(e.placement for e in epochs),
         offset_variances=tuple(e.offset_variance for e in epochs),
+        drift_variances=tuple(e.drift_variances for e in epochs),
         pairs=pairs,
         calibrations=calibrations,
         joint=joint,
@@ -171,6 +169,17 @@ def track(
         shifts=identities.shifts,
         frames=frames,
     )
+
+
+def _settled_and_checked(
+    units: TrackedUnits, epochs: Sequence[TrackedEpoch], frames: EpochFrames | None, seen: Sequence[dict[int, FittedUnit]], ask: Ask
+) -> tuple[TrackedUnits, tuple[EpochPair, ...], dict[tuple[int, int, int], CrossCheck]]:
+    """What :func:`_settled` returns, found while other processes answer the cross checks of the units that keep their poses."""
+    settled: list[tuple[TrackedUnits, tuple[EpochPair, ...]]] = []
+    # points say the same of units whose poses are doubted meanwhile: what they say is left out afterwards
+    checks = _cross_checks(seen, units.joint, units.numbers, len(epochs), ask, lambda: settled.append(_settled(units, epochs, frames)))
+    known, pairs = settled[0]
+    return known, pairs, _of_posed(checks, [with_poses(own, known.states[k]) for k, own in enumerate(seen)])
 
 
 def _settled(units: TrackedUnits, epochs: Sequence[TrackedEpoch], frames: EpochFrames | None) -> tuple[TrackedUnits, tuple[EpochPair, ...]]:
@@ -296,7 +305,7 @@ def _with_mean_offset(epoch: TrackedEpoch, number: int, joint: JointAdjustment) 
 def _cross_checks(
     seen: Sequence[dict[int, FittedUnit]],
     joint: JointAdjustment,
-    numbers: dict[tuple[int, int], int],
+    numbers: Mapping[tuple[int, int], int],
     epochs: int,
     ask: Ask,
     beside: Callable[[], None],
@@ -319,55 +328,3 @@ def _of_posed(
 ) -> dict[tuple[int, int, int], CrossCheck]:
     """Those of units that have a pose in both epochs; ``posed`` holds these by unit and epoch."""
     return {key: check for key, check in checks.items() if posed[key[2]].keys() >= set(key[:2])}
-
-
-def _velocities(
-    epochs: Sequence[TrackedEpoch],
-    units: Sequence[UnitType],
-    tracks: Sequence[Track],
-    tracked: Sequence[dict[int, TrackedUnit]],
-    pairs: Sequence[EpochPair],
-    calibrations: Sequence[PoseCalibration],
-) -> dict[int, tuple[Velocity, ...]]:
-    """Velocities of units seen in more than two epochs, each epoch brought into the first one's datum ``stable``."""
-    years = np.array([e.time.timestamp() for e in epochs]) / SECONDS_PER_YEAR
-    to_first = {pair.second: pair for pair in pairs if pair.first == 0}
-    result = {}
-    for k, states in enumerate(tracked):
-        have = [e for e, s in sorted(states.items()) if s.pose is not None and s.status != "uncertain"]
-        have = [e for e in have if e == 0 or e in to_first]
-        if len(have) < 3 or tracks[k].relocated:
-            continue
-        points = [_placed(k, states[e], units[tracks[k].kind], calibrations[e], to_first.get(e)) for e in have]
-        result[k] = tuple(
-            velocity(
-                f,
-                years[have],
-                np.array([p.positions[f] for p in points]),
-                np.array([p.covariances[f] for p in points]),
-                min((to_first[e].congruence.null.tail for e in have if e), default=math.inf),
-            )
-            for f in range(len(FEATURES))
-        )
-    return result
-
-
-def _placed(number: int, state: TrackedUnit, unit: UnitType, calibration: PoseCalibration, to_first: EpochPair | None) -> FeaturePoints:
-    """Feature points in the first epoch's datum.
-
-    Their covariance is the epoch's own one, calibrated, and, in later epochs, that of the motion from the first one to them.
-    """
-    if state.pose is None or state.covariance is None:
-        raise ValueError("a unit without pose has no feature points")
-    covariance = np.zeros((8, 8))
-    covariance[:6, :6] = calibration.covariance_among_epochs(state.covariance)
-    points = feature_points(state.pose, unit_shape(unit, state.scale), covariance)
-    if to_first is None:
-        return points
-    frame = _frame_of(to_first, number)
-    shifts, spread = frame.at(points.positions - points.positions[0])
-    return replace(points, positions=points.positions - shifts, covariances=points.covariances + spread)
-
-
-def _frame_of(pair: EpochPair, unit: int) -> FramePart:
-    return next(motion.frames["stable"] for motion in pair.units if motion.unit == unit)

@@ -113,6 +113,7 @@ def track_tables(
                 if epoch == k
             },
             "mean_offset_sd_m": math.sqrt(result.offset_variances[k]),
+            "mean_drift_sds_m": [round(float(v), 6) for v in np.sqrt(result.drift_variances[k])],
         }
         for k, e in enumerate(placed)
     }

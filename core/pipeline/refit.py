@@ -214,7 +214,7 @@ def _mould_of(info: EpochInfo, unit: UnitType) -> Mould | None:
 def _covariance_in_control(result: Path, info: EpochInfo, own: FloatArray, pose: Pose) -> FloatArray:
     """(6, 6) covariance of a pose in the control frame from that of its adjustment, as the run states those of its units.
 
-    It is calibrated by the epoch pairs, and holds the registration and the mean offset of the epoch's strips or stations.
+    It is calibrated by the epoch pairs, and holds the registration and the mean offset and drift of the epoch's strips or stations.
     """
     covariance = _calibration(result, info.label).covariance(own)
     correction = FrameCorrection.from_rows(read_layer_rows(result, "frame_errors"), info.label)
@@ -225,10 +225,11 @@ def _covariance_in_control(result: Path, info: EpochInfo, own: FloatArray, pose:
         # the bent frame's own uncertainty takes the place of the rigid registration's
         covariance[:3, :3] += np.diag(correction.variances_at(pose.centre[None])[0])
         return covariance
-    # an earlier version has not said how far the mean offset is known
+    # earlier versions have not said how far the mean offset is known, or the mean drift
     offsets = list(info.settings.get("source_offsets_m", {}).values())
     sd = info.settings.get("mean_offset_sd_m", math.sqrt(mean_offset_variance(offsets)))
-    return covariance + transformation.with_offset(np.full(3, sd**2)).pose_covariance(pose)
+    drifts = info.settings.get("mean_drift_sds_m", np.zeros(3))
+    return covariance + transformation.with_offset(sd**2 + np.square(drifts)).pose_covariance(pose)
 
 
 def _calibration(result: Path, epoch: str) -> PoseCalibration:

@@ -81,9 +81,9 @@ class Transformation:
         effect[3:, 3:6] = np.eye(3)
         return np.asarray(effect @ self.covariance @ effect.T)
 
-    def with_offset(self, variances: FloatArray) -> Transformation:
-        """The same with the (3,) variances of a common offset by axis (square metres) added to its covariance."""
-        return replace(self, covariance=self.covariance + np.diag([*variances, 0.0, 0.0, 0.0, 0.0]))
+    def with_offset(self, variance: ArrayLike) -> Transformation:
+        """The same with the variance of a common offset (square metres), of every axis or (3,) by axis, added to its covariance."""
+        return replace(self, covariance=self.covariance + np.diag([*np.broadcast_to(variance, 3), 0.0, 0.0, 0.0, 0.0]))
 
     def with_shift(self, shift: ArrayLike, turn: ArrayLike, covariance: FloatArray) -> Transformation:
         """The transformation followed by a small motion (shift in m, rotation vector in rad, about ``origin_to``)."""

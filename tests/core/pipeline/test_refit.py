@@ -117,9 +117,10 @@ def test_refit_states_standard_deviations_as_the_run_does(tmp_path: Path) -> Non
     assert np.all(found <= calibrated + common + np.append(np.full(3, 1e-8 * arm**2 * 1.1), 1e-12))
     # strips without numbers show no offsets, and the run says what it takes their mean for
     with closing(sqlite3.connect(path)) as connection, connection:
-        settings = json.dumps({"leg_length": LEG_LENGTH, "source_offsets_m": {"0": [0, 0, 0]}, "mean_offset_sd_m": 0.02})
-        connection.execute("UPDATE epochs SET settings = ?", (settings,))
-    np.testing.assert_allclose(variances()[:3] - found[:3], 0.02**2 - np.sum(offsets**2) / 3 / 2 / 3, rtol=1e-6)
+        drifts = np.array([0.01, 0.02, 0.005])
+        told = {"source_offsets_m": {"0": [0, 0, 0]}, "mean_offset_sd_m": 0.02, "mean_drift_sds_m": drifts.tolist()}
+        connection.execute("UPDATE epochs SET settings = ?", (json.dumps({"leg_length": LEG_LENGTH} | told),))
+    np.testing.assert_allclose(variances()[:3] - found[:3], drifts**2 + 0.02**2 - np.sum(offsets**2) / 3 / 2 / 3, rtol=1e-6)
     # earlier versions record no calibration of rotations: that of positions stands for it
     with closing(sqlite3.connect(path)) as connection, connection:
         connection.execute(calibration, (None, None))
