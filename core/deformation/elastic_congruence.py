@@ -16,13 +16,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import coo_array
-from scipy.special import chdtrc
 
 from ..common.arrays import BoolArray, FloatArray
 from ..common.robust import t_weights
 from ..registration.frame_field import FieldEstimate, LocalMotions, information_of
 from ..registration.transformation import rigid_jacobian
-from .congruence import STABLE_LEVEL, Congruence, NullModel, calibrate, f_p_value, pooled_degrees, quadratic
+from .congruence import STABLE_LEVEL, Congruence, NullModel, calibrate, combined_test, f_p_value, pooled_degrees, quadratic
 from .control_scale import ControlScale, scale_of_control
 
 ROUGH_SHARE = 0.002
@@ -178,8 +177,8 @@ def _summary(
     if stable.sum() >= 3:
         design = rigid_jacobian(points[stable] - origin)[:, :, :6].reshape(-1, 6)
         motion[:6] = np.linalg.lstsq(design, others.means[stable, :3].ravel(), rcond=None)[0]
-    form = float(np.sum(statistics))
-    count = 3 * len(displacements)
+    p_values = null.p_value(statistics)
+    global_statistic, global_p_value = combined_test(p_values)
     return Congruence(
 origin=origin,
 motion=motion,
@@ -188,14 +187,13 @@ prior=np.zeros((7, 7)),
 stable=stable,
 null=null,
 statistics=statistics,
-p_values=null.p_value(statistics),
+p_values=p_values,
 control_statistics=control,
 control_p_values=f_p_value(control, pooled_degrees(effective, null.tail, frame, known.degrees)),
 control_degrees=known.degrees,
 control_factor=known.factor,
-global_statistic=form,
-global_degrees=count,
-global_p_value=float(chdtrc(count, form)) if count else 1.0,
+global_statistic=global_statistic,
+global_p_value=global_p_value,
 common_statistic=math.nan,
 common_p_value=math.nan,
 )  # fmt: skip

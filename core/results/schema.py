@@ -289,8 +289,9 @@ LAYERS: dict[str, Layer] = {
                 Field("epoch_to", "text", "label of the later epoch"),
                 Field("units", "integer", "units seen in both epochs"),
                 Field("stable_units", "integer", "units that support the datum stable"),
-                Field("global_statistic", "real", "quadratic form of all units' residuals, test that none moved"),
-                Field("global_degrees", "integer", "degrees of freedom of the global test"),
+                Field(
+                    "global_statistic", "real", "test that no unit moved: all units' p-values combined to a value of a Cauchy distribution"
+                ),
                 Field("global_p_value", "real", "p-value of the global test"),
                 Field("common_e", "real", "common motion of the stable set in the control frame, easting", "m"),
                 Field("common_n", "real", "common motion of the stable set in the control frame, northing", "m"),

@@ -84,9 +84,18 @@ def test_datum_stable_is_much_closer_than_control_and_keeps_moved_units_out() ->
     assert np.sqrt(np.mean(stable)) < 0.2 * np.sqrt(np.mean(control))
 
 
-def test_global_test_rejects_moved_units_and_accepts_a_quiet_pile() -> None:
+@pytest.mark.parametrize("prior", [PRIOR, None], ids=["control", "free"])
+@pytest.mark.parametrize(("tail", "count"), [(np.inf, 6), (np.inf, 60), (5.0, 60), (8.0, 60)])
+def test_global_test_holds_its_level_whatever_the_tails_and_the_number_of_units(tail: float, count: int, prior: FloatArray | None) -> None:
+    p_values = [judged(seed, prior, moved=0, count=count, tail=tail)[0].global_p_value for seed in range(24)]
+    assert np.mean(np.array(p_values) < 0.05) <= 0.17
+    assert 0.35 < np.mean(p_values) < 0.7
+
+
+def test_global_test_finds_one_unit_that_moved_among_many() -> None:
+    p_values = [judged(seed, prior, moved=1, count=40)[0].global_p_value for seed in range(6) for prior in (PRIOR, None)]
+    assert np.max(p_values) < 0.01
     assert judged(1)[0].global_p_value < 1e-6
-    assert judged(2, moved=0, count=60)[0].global_p_value > 0.001
 
 
 def test_settlement_of_everything_shows_against_control_alone() -> None:

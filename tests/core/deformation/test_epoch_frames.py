@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from bent_coast import BentCoast, bent_coast
@@ -53,6 +55,21 @@ def squares(coast: BentCoast, result: Congruence, part: LocalMotions) -> FloatAr
 
 def test_a_stiff_coast_has_rigid_frames() -> None:
     assert [frames_of(bent_coast(seed, rms=0.0)) for seed in range(3)] == [None] * 3
+
+
+@pytest.mark.parametrize("tail", [np.inf, 8.0])
+def test_a_bent_coast_at_rest_passes_the_global_test(tail: float) -> None:
+    """Units judged by their neighbours depend on each other, and their tails are what they are."""
+    p_values = []
+    for seed in range(8):
+        coast = bent_coast(seed, length=60.0, density=2.0, shortest=40.0, longest=80.0)
+        heavy = 1.0 if np.isinf(tail) else np.sqrt(tail / np.random.default_rng(seed).chisquare(tail, (len(coast.places), 1)))
+        errors = coast.displacements - coast.motions - (coast.bends[1] - coast.bends[0])
+        at_rest = coast.bends[1] - coast.bends[0] + heavy * errors
+        coast = replace(coast, displacements=at_rest, motions=np.zeros_like(at_rest))
+        p_values.append(judged(coast)[0].global_p_value)
+    assert np.mean(np.array(p_values) < 0.05) <= 0.25
+    assert 0.25 < np.mean(p_values) < 0.8
 
 
 def test_rigid_is_obeyed() -> None:
