@@ -737,14 +737,12 @@ def refit(
     def step(feedback: Feedback) -> dict[str, Any]:
         from ..core.common.errors import InputError
         from ..core.pipeline.refit import refit_unit
-        from ..core.results.field_checks import foreign_contents
 
         try:
             e, n, h = (float(value) for value in near.split(","))
         except ValueError as error:
             raise InputError(f"--near {near!r} is not a place", remedy="Write it as easting,northing,height in metres.") from error
-        with foreign_contents(result):
-            return refit_unit(result, unit_id, epoch, (e, n, h), editor=editor, seed=seed)
+        return refit_unit(result, unit_id, epoch, (e, n, h), editor=editor, seed=seed)
 
     _run(quiet, log_file, json_progress, step)
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..adjustment.adjustment_records import AdjustmentOptions
+from ..adjustment.adjustment_records import Adjustment, AdjustmentOptions
 from ..common.arrays import FloatArray
 from ..common.errors import InputError
 from ..common.feedback import Feedback
@@ -23,14 +24,15 @@ from ..model.mould import Mould, onto_cones
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..registration.frame_correction import FrameCorrection
-from ..registration.transformation import mean_offset_variance, transformation_of
+from ..registration.transformation import Transformation, mean_offset_variance, transformation_of
+from ..results.field_checks import foreign_contents
 from ..results.geopackage_reader import read_layer_rows
 from ..results.unit_rows import EpochInfo, epochs_of, read_epochs, unit_sizes
 from ..results.unit_sizes import unit_of
 from ..review.corrections import set_pose
 from ..review.point_index import PointIndex, index_folder, write_index
 from ..review.pose_consequences import NewPose
-from ..segmentation.segment import segment
+from ..segmentation.segment import DetectedUnit, segment
 from .block_jobs import ROUGHNESS_RATIO, adjusted_nearby
 from .epoch_plans import plan_survey
 
@@ -129,7 +131,11 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
     OutputError
         The result cannot be written.
     """
-    unit, info = _unit_and_epoch(result, unit_id, epoch)
+    # what follows works on points: its errors are the program's own
+    with foreign_contents(result):
+        unit, info = _unit_and_epoch(result, unit_id, epoch)
+        mould = _mould_of(info, unit)
+        frame = _EpochFrame.read(result, info)
     place = np.asarray(near, dtype=np.float64)
     index = PointIndex(index_folder(result))
     noise, reach = index.noise(epoch), REACH_HEIGHTS * unit.height
@@ -150,14 +156,19 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
     if noise is not None and sensors is not None:
         covariances = surface_covariances(points[own], sensors[own] - place, *noise, ROUGHNESS_RATIO * unit.height)
     options = AdjustmentOptions(radius_sd=0.0, gradient_sd=0.0)
-    mould = _mould_of(info, unit)
     cloud = points[own]
     on_cones = cloud if mould is None else onto_cones(cloud, detected.pose.rotation, detected.pose.centre, unit, mould)
     fitted = adjusted_nearby(on_cones, unit, detected.pose, options, covariances)
-    pose = fitted.pose.shifted(place)
-    covariance = _covariance_in_control(result, info, fitted.covariance[:6, :6], pose)
-    sd = np.sqrt(np.diag(covariance))
-    new = NewPose(
+    new = _new_pose(fitted, fitted.pose.shifted(place), detected, unit, frame)
+    with foreign_contents(result):
+        set_pose(result, unit_id, epoch, new, editor=editor, comment="fitted again at a place shown by the user")
+    return {"unit_id": unit_id, "epoch": epoch, "n_points": new.n_points, "score": detected.score, "sigma0": fitted.sigma0}
+
+
+def _new_pose(fitted: Adjustment, pose: Pose, detected: DetectedUnit, unit: UnitType, frame: _EpochFrame) -> NewPose:
+    """What the result is to hold of a unit; ``pose`` is that of the adjustment in the control frame."""
+    sd = np.sqrt(np.diag(frame.covariance_in_control(fitted.covariance[:6, :6], pose)))
+    return NewPose(
         centre=pose.centre,
         rotation=pose.rotation,
         radius=fitted.radius,
@@ -171,8 +182,6 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
         coverage=detected.coverage,
         score=detected.score,
     )
-    set_pose(result, unit_id, epoch, new, editor=editor, comment="fitted again at a place shown by the user")
-    return {"unit_id": unit_id, "epoch": epoch, "n_points": new.n_points, "score": detected.score, "sigma0": fitted.sigma0}
 
 
 def _unit_and_epoch(result: Path, unit_id: str, epoch: str) -> tuple[UnitType, EpochInfo]:
@@ -211,25 +220,48 @@ def _mould_of(info: EpochInfo, unit: UnitType) -> Mould | None:
         return None
 
 
-def _covariance_in_control(result: Path, info: EpochInfo, own: FloatArray, pose: Pose) -> FloatArray:
-    """(6, 6) covariance of a pose in the control frame from that of its adjustment, as the run states those of its units.
+@dataclass(frozen=True, eq=False)
+class _EpochFrame:
+    """What a result says of the uncertainty of an epoch's poses besides that of their adjustment.
 
-    It is calibrated by the epoch pairs, and holds the registration and the mean offset and drift of the epoch's strips or stations.
+    Attributes
+    ----------
+    calibration
+        By the epoch pairs.
+    correction
+        Error of the registered cloud where its frame bends.
+    transformation
+        Registration with the mean offset and drift of the epoch's strips or stations in its covariance; None without one.
     """
-    covariance = _calibration(result, info.label).covariance(own)
-    correction = FrameCorrection.from_rows(read_layer_rows(result, "frame_errors"), info.label)
-    transformation = transformation_of(info.transformation)
-    if transformation is None:
-        return covariance
-    if len(correction.chainage):
-        # the bent frame's own uncertainty takes the place of the rigid registration's
-        covariance[:3, :3] += np.diag(correction.variances_at(pose.centre[None])[0])
-        return covariance
-    # earlier versions have not said how far the mean offset is known, or the mean drift
-    offsets = list(info.settings.get("source_offsets_m", {}).values())
-    sd = info.settings.get("mean_offset_sd_m", math.sqrt(mean_offset_variance(offsets)))
-    drifts = info.settings.get("mean_drift_sds_m", np.zeros(3))
-    return covariance + transformation.with_offset(sd**2 + np.square(drifts)).pose_covariance(pose)
+
+    calibration: PoseCalibration
+    correction: FrameCorrection
+    transformation: Transformation | None
+
+    @classmethod
+    def read(cls, result: Path, info: EpochInfo) -> _EpochFrame:
+        """Of one epoch of a result."""
+        # earlier versions have not said how far the mean offset is known, or the mean drift
+        offsets = list(info.settings.get("source_offsets_m", {}).values())
+        sd = info.settings.get("mean_offset_sd_m", math.sqrt(mean_offset_variance(offsets)))
+        drifts = info.settings.get("mean_drift_sds_m", np.zeros(3))
+        known = transformation_of(info.transformation)
+        return cls(
+            _calibration(result, info.label),
+            FrameCorrection.from_rows(read_layer_rows(result, "frame_errors"), info.label),
+            None if known is None else known.with_offset(sd**2 + np.square(drifts)),
+        )
+
+    def covariance_in_control(self, own: FloatArray, pose: Pose) -> FloatArray:
+        """(6, 6) covariance of a pose in the control frame from that of its adjustment, as the run states those of its units."""
+        covariance = self.calibration.covariance(own)
+        if self.transformation is None:
+            return covariance
+        if len(self.correction.chainage):
+            # the bent frame's own uncertainty takes the place of the rigid registration's
+            covariance[:3, :3] += np.diag(self.correction.variances_at(pose.centre[None])[0])
+            return covariance
+        return covariance + self.transformation.pose_covariance(pose)
 
 
 def _calibration(result: Path, epoch: str) -> PoseCalibration:

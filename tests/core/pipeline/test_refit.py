@@ -127,6 +127,25 @@ def test_refit_states_standard_deviations_as_the_run_does(tmp_path: Path) -> Non
     assert variances()[3] == pytest.approx(9 * adjusted[3] + common[3])
 
 
+def test_a_fault_of_the_program_is_not_said_to_be_the_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "result.gpkg"
+    units = write_result(path, epochs=2, units=stable_units(3))
+    write_points(path, units, 2, per_unit=2000)
+
+    def refit() -> None:
+        refit_unit(path, units[1].unit_id, "2024-04-09", units[1].centres[1], editor="A")
+
+    with monkeypatch.context() as changed:
+        changed.setattr("tetratrack.core.registration.transformation.Transformation.pose_covariance", lambda: None)
+        with pytest.raises(TypeError, match="positional argument"):
+            refit()
+    # what the result holds still is
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE epochs SET settings = ?", (json.dumps({"mean_offset_sd_m": "wide"}),))
+    with pytest.raises(InputError, match=r"result\.gpkg: holds something that cannot be used"):
+        refit()
+
+
 def test_click_beside_every_unit_changes_nothing(tmp_path: Path) -> None:
     path = tmp_path / "result.gpkg"
     units = write_result(path, epochs=2, units=stable_units(3))
