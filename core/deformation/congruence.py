@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import minimize
@@ -182,6 +182,16 @@ class Congruence:
         motion = self.motion if datum == "stable" else np.zeros(7)
         covariance = self.motion_covariance if datum == "stable" else self.prior
         return LocalMotions(rows @ motion, rows @ covariance @ np.swapaxes(rows, 1, 2))
+
+    def resting_on(self, units: BoolArray, displacements: FloatArray, effective: FloatArray, points: FloatArray) -> Congruence:
+        """The same with datum ``stable`` resting on some of the (n,) units alone.
+
+        Their (n, 3) displacements, (n, 3, 3) effective covariances and (n, 3) points are in metres. Without control and with fewer than
+        three units their motion is open.
+        """
+        a = rigid_jacobian(points[units] - self.origin)
+        motion, covariance = _solve(displacements[units], np.asarray(np.linalg.inv(effective[units]), dtype=np.float64), a, self.prior)
+        return replace(self, motion=motion, motion_covariance=covariance)
 
 
 def congruence_of(

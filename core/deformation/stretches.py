@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import brentq
@@ -106,7 +106,7 @@ def motions_of_stretches(
     stretches, _, length = stretches_of(units.places, height)
     numbers = [k for k, own in enumerate(stretches) if len(own) >= FEWEST_UNITS]
     means = {datum: [_mean_motion(units, stretches[k], congruence, elastic, datum, height) for k in numbers] for datum in DATUMS}
-    others = [[m for j, m in zip(numbers, means["stable"], strict=True) if abs(j - k) > 1] for k in numbers]
+    others = [_motions_of_others(units, stretches, numbers, k, congruence, means["stable"], elastic, height) for k in numbers]
     between = [_between_stretches(own) for own in others]
     known = [b if len(own) >= FEWEST_OTHERS else (0.0, math.inf) for b, own in zip(between, others, strict=True)]
     learned = {"stable": between, "control": known}
@@ -148,6 +148,30 @@ class _MeanMotion:
     motion: FloatArray
     cofactor: FloatArray
     frame: FloatArray
+
+
+def _motions_of_others(
+    units: JudgedUnits,
+    stretches: Sequence[IntArray],
+    numbers: Sequence[int],
+    k: int,
+    congruence: Congruence,
+    means: Sequence[_MeanMotion],
+    elastic: ElasticDatum | None,
+    height: float,
+) -> list[_MeanMotion]:
+    """Motions in datum ``stable`` of the stretches apart from stretch ``k``; ``means`` are those of all ``numbers``.
+
+    Rigid frames reach everywhere: what ``k`` did is in the datum of each other, which so would seem to differ by as much. There they are
+    judged without it.
+    """
+    apart = [i for i, j in enumerate(numbers) if abs(j - k) > 1]
+    if elastic is not None:
+        return [means[i] for i in apart]
+    resting = congruence.stable.copy()
+    resting[stretches[k]] = False
+    without = replace(congruence, stable=resting)
+    return [_mean_motion(units, stretches[numbers[i]], without, None, "stable", height) for i in apart]
 
 
 def _mean_motion(
@@ -193,8 +217,13 @@ def _frame_part(
     """Error of the frames at the units of a stretch (k, 3), as those outside and targets see it, and covariance of its mean (3, 3)."""
     places = units.places[own]
     if elastic is None:
-        middle = congruence.rigid_motions(places.mean(axis=0)[None], datum)
-        return congruence.rigid_motions(places, datum).means[:, :3], middle.covariances[0, :3, :3]
+        others = congruence
+        if datum == "stable":
+            keep = congruence.stable.copy()
+            keep[own] = False
+            others = congruence.resting_on(keep, units.vectors, units.covariances, units.places)
+        middle = others.rigid_motions(places.mean(axis=0)[None], datum)
+        return others.rigid_motions(places, datum).means[:, :3], middle.covariances[0, :3, :3]
     if datum == "stable":
         return _without(units, own, elastic)
     return elastic.control.at(places).means[:, :3], elastic.control.covariance_of_mean(places)

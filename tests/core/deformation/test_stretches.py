@@ -41,6 +41,25 @@ def test_units_with_errors_of_their_own_show_no_motion_of_stretches() -> None:
     assert not any(s.adjusted < 0.05 for seed in range(10) for s in stretches(seed, 0.0))
 
 
+def test_a_stretch_of_stiff_frames_is_judged_by_all_others() -> None:
+    """A third of 69 m settles by 8 mm, too little for units of 3 mm to leave the datum one by one."""
+    away, found = [], []
+    for seed in range(12):
+        rng = np.random.default_rng(seed)
+        places = np.column_stack([np.sort(rng.uniform(0, 69, 80)), rng.uniform(0, 8, 80), rng.uniform(0, 3, 80)])
+        covariances, vectors = np.tile(np.eye(3) * 0.003**2, (80, 1, 1)), rng.normal(0, 0.003, (80, 3))
+        vectors[np.abs(places[:, 0] - 34.5) < 11.5, 2] -= 0.008
+        prior = np.diag([0.01**2] * 3 + [0.001**2] * 3 + [0.0])
+        congruence = congruence_of(vectors, covariances, places, prior, places.mean(axis=0), HEIGHT)
+        units = JudgedUnits(places=places, vectors=vectors, covariances=congruence.null.covariance(covariances))
+        rows = motions_of_stretches(units, congruence, None, HEIGHT)["stable"]
+        middle = min(rows, key=lambda row: abs(row.place[0] - 34.5))
+        away.append((middle.motion[2] + 0.008) / math.sqrt(middle.covariance[2, 2]))
+        found.append(middle.motion[2])
+    assert np.mean(found) < -0.007
+    assert np.mean(np.square(away)) < 2.0
+
+
 @pytest.mark.parametrize(
     ("coast", "count"),
     [(bent_coast(seed, length=80.0, station=24.0, unit_sd=0.0008, target_sd=0.003), 5) for seed in (3003, 3004, 3008)]
