@@ -15,6 +15,7 @@ Mould and variances are learned from a survey by :mod:`.surface_estimation`.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -134,7 +135,7 @@ class SurfaceModel:
 
     @property
     def covariance(self) -> FloatArray:
-        """(CELLS, CELLS) square metres."""
+        """(LEG_CELLS, LEG_CELLS) of the cells of a leg, square metres; nothing ties two legs."""
         return np.asarray(np.tensordot(self.variances, structures(), axes=1))
 
 
@@ -162,30 +163,29 @@ def cell_places() -> tuple[IntArray, FloatArray, FloatArray, IntArray]:
 
 
 @lru_cache(maxsize=1)
+def smooth_factors() -> tuple[FloatArray, ...]:
+    """By component but the last two, (LEG_CELLS, r) columns F of which the correlation of the cells of a leg is F F'."""
+    _, axial, azimuth, disc = (values[:LEG_CELLS] for values in cell_places())
+    end = (disc == 1)[:, None] * 1.0
+    side = 1.0 - end
+    along = side * ((axial - 0.55) / 0.3)[:, None]
+
+    def around(times: int) -> FloatArray:
+        """A cosine of the difference of two azimuths, so often around the leg."""
+        return np.column_stack([np.cos(times * azimuth), np.sin(times * azimuth)])
+
+    return (side, along, side * around(1), along * around(1), side * around(2), end, end * around(1))
+
+
+@lru_cache(maxsize=1)
 def structures() -> FloatArray:
-    """(len(COMPONENTS), CELLS, CELLS) correlation of the cells by component."""
-    leg, axial, azimuth, disc = cell_places()
-    same_leg = leg[:, None] == leg
-    side = same_leg & (disc[:, None] + disc == 0)
-    end = same_leg & (disc[:, None] * disc == 1)
-    turned = azimuth[:, None] - azimuth
-    along = (axial - 0.55) / 0.3
-    lever = np.outer(along, along)
+    """(len(COMPONENTS), LEG_CELLS, LEG_CELLS) correlation of the cells of a leg by component; nothing ties two legs."""
+    _, axial, azimuth, disc = (values[:LEG_CELLS] for values in cell_places())
+    side = disc[:, None] + disc == 0
     # a leg is about a third as thick as it is long
-    apart = np.hypot(axial[:, None] - axial, 2 * 0.32 * np.sin(0.5 * turned))
-    return np.stack(
-        [
-            side * 1.0,
-            side * lever,
-            side * np.cos(turned),
-            side * lever * np.cos(turned),
-            side * np.cos(2 * turned),
-            end * 1.0,
-            end * np.cos(turned),
-            side * np.exp(-0.5 * (apart / PATCH_LENGTH) ** 2),
-            np.eye(CELLS),
-        ]
-    )
+    apart = np.hypot(axial[:, None] - axial, 2 * 0.32 * np.sin(0.5 * (azimuth[:, None] - azimuth)))
+    smooth = [columns @ columns.T for columns in smooth_factors()]
+    return np.stack([*smooth, side * np.exp(-0.5 * (apart / PATCH_LENGTH) ** 2), np.eye(LEG_CELLS)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -245,53 +245,82 @@ def eliminate(
     apart
         (CELLS,) of single cells from an earlier elimination; None for none.
     """
-    normal, rhs = normal.copy(), rhs.copy()
-    size = len(rhs)
-    rows, weight, cell_rhs = np.zeros((CELLS, size)), np.zeros(CELLS), np.zeros(CELLS)
-    misfit, seen = 0.0, 0
+    rhs = rhs.copy()
+    columns = len(rhs) + 1
+    # of each cell its derivatives and, last, its distances
+    single, scaled, whitened = (np.empty((count * CELLS, columns)) for count in (len(sightings), 1, 1))
+    total = np.zeros((CELLS, columns)), np.zeros(CELLS)
+    form, seen = 0.0, 0
     variances = own or [surface.own_of(sums) for sums in sightings]
     for sums, variance in zip(sightings, variances, strict=True):
-        cells = np.flatnonzero(sums.weight > 0)
-        r, w, v = sums.rows[cells], sums.weight[cells], variance[cells]
-        # distances are judged against the mould
-        b = sums.rhs[cells] + w * surface.mean[cells]
-        rhs += r.T @ surface.mean[cells]
-        share = 1 / (w + 1 / v)
-        normal -= (r * share[:, None]).T @ r
-        rhs -= r.T @ (share * b)
-        # what is left of a cell once its own deviation in this sighting is taken away
-        left = share / v
-        misfit += float(np.sum(left * b**2 / w))
-        seen += len(cells)
-        rows[cells] += r * left[:, None]
-        weight[cells] += w * left
-        cell_rhs[cells] += b * left
-    cells = np.flatnonzero(weight > 0)
-    root = np.sqrt(weight[cells])
-    scaled = rows[cells] / root[:, None]
-    target = cell_rhs[cells] / root
-    # W^1/2 (W + K^-1)^-1 W^1/2 = I - (I + W^1/2 K W^1/2)^-1, with W the weights of the cells
-    whitened, deviations = np.column_stack([scaled, target]), surface.mean.copy()
+        seen, part = _set_apart((sums.rows, sums.weight, sums.rhs), variance, surface.mean, rhs, single, seen, total)
+        form += part
+    deviations, beyond = surface.mean.copy(), np.zeros(CELLS)
     lone = np.zeros(CELLS) if apart is None else apart
-    beyond = np.zeros(CELLS)
-    _whiten(covariance, cells, root, whitened, deviations, lone, beyond)
-    taken, left = whitened[:, :-1], whitened[:, -1]
-    contradictions = tuple(_contradicted(sums, deviations, surface.own_of(sums)) for sums in sightings)
+    count = _whiten(covariance, total, scaled, whitened, deviations, lone, beyond)
+    single, scaled, whitened = single[:seen], scaled[:count], whitened[:count]
+    # with W the weights of the cells, W^1/2 (W + K^-1)^-1 W^1/2 = I - (I + W^1/2 K W^1/2)^-1
+    change = whitened.T @ whitened - scaled.T @ scaled - single.T @ single
+    contradictions = tuple(np.empty(CELLS) for _ in sightings)
+    for sums, result in zip(sightings, contradictions, strict=True):
+        _contradict((sums.weight, sums.rhs, sums.square), sums.noise, deviations, surface.own, surface.uneven, straight_cells(), result)
     return Eliminated(
-        normal=normal - scaled.T @ scaled + taken.T @ taken,
-        rhs=rhs - scaled.T @ target + taken.T @ left,
+        normal=normal + change[:-1, :-1],
+        rhs=rhs + change[:-1, -1],
         deviations=deviations,
         own=contradictions,
         apart=beyond,
-        misfit=misfit - float(target @ target) + float(left @ left),
+        misfit=form + float(change[-1, -1]),
         seen=seen,
     )
 
 
 @kernel(releases=True)
-def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any, lone: Any, beyond: Any) -> None:
-    """Right-hand sides in place times the inverse of the Cholesky factor of I + W^1/2 K W^1/2, leg by leg, as nothing ties two legs; what
-    the last of them says of the deviations is added to these.
+def _set_apart(sums: Any, variance: Any, mean: Any, rhs: Any, single: Any, seen: int, total: Any) -> Any:
+    """What the deviations that do not come back, of (CELLS,) ``variance``, take from the equations of one sighting, and what they leave.
+
+    Parameters
+    ----------
+    sums
+        ``rows``, ``weight`` and ``rhs`` of :class:`CellSums`.
+    mean
+        (CELLS,) of the mould, against which distances are judged: the right-hand side ``rhs`` (p,) is changed for it.
+    single, seen
+        (n, p + 1) where to write, from row ``seen`` on, roots of what is taken.
+    total
+        (CELLS, p + 1) and (CELLS,) derivatives with distances and weights, to which what is left of each cell is added.
+
+    Returns
+    -------
+    seen, form
+        The next row, and the quadratic form of the distances with the weights of the cells.
+    """
+    rows, weight, distances = sums
+    left_rows, left_weight = total
+    size = rows.shape[1]
+    form = 0.0
+    for c in range(len(weight)):
+        if weight[c] <= 0.0:
+            continue
+        distance = distances[c] + weight[c] * mean[c]
+        share = 1.0 / (weight[c] + 1.0 / variance[c])
+        left, root = share / variance[c], math.sqrt(share)
+        for k in range(size):
+            rhs[k] += rows[c, k] * mean[c]
+            single[seen, k] = root * rows[c, k]
+            left_rows[c, k] += left * rows[c, k]
+        single[seen, size] = root * distance
+        left_rows[c, size] += left * distance
+        left_weight[c] += left * weight[c]
+        form += distance * distance / weight[c]
+        seen += 1
+    return seen, form
+
+
+@kernel(releases=True)
+def _whiten(covariance: Any, total: Any, scaled: Any, right: Any, deviations: Any, lone: Any, beyond: Any) -> int:
+    """Columns of seen cells over the roots of their weights, and these times the inverse of the Cholesky factor of I + W^1/2 K W^1/2, leg
+    by leg, as nothing ties two legs; what the last column says of the deviations is added to these.
 
     Each cell is held against what all others say of it (leave one out): its variance is that of the scale mixture of a t distribution of
     ``OWN_DEGREES``.
@@ -299,28 +328,39 @@ def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any,
     Parameters
     ----------
     covariance
-        (CELLS, CELLS) of the deviations, K.
-    cells, root
-        (n,) cells that are seen, ascending, and the roots of their weights.
-    right
-        (n, q) right-hand sides.
+        (LEG_CELLS, LEG_CELLS) of the deviations of a leg, K.
+    total
+        (CELLS, q) columns of all cells, and (CELLS,) their weights.
+    scaled, right
+        (CELLS, q) for both results, one row for each of the cells that are seen.
     deviations
         (CELLS,) of the mould.
     lone, beyond
         (CELLS,) variance of single cells beyond K so far, and as this elimination finds it.
+
+    Returns
+    -------
+    count
+        How many cells are seen.
     """
-    count, columns = right.shape
+    rows, weight = total
+    columns = rows.shape[1]
+    cells, root = np.empty(len(weight), dtype=np.int64), np.empty(len(weight))
     start = 0
-    while start < count:
-        leg = cells[start] // LEG_CELLS
+    for first in range(0, len(weight), LEG_CELLS):
         stop = start
-        while stop < count and cells[stop] // LEG_CELLS == leg:
-            stop += 1
+        for c in range(LEG_CELLS):
+            if weight[first + c] > 0.0:
+                cells[stop], root[stop] = c, math.sqrt(weight[first + c])
+                for k in range(columns):
+                    scaled[stop, k] = rows[first + c, k] / root[stop]
+                    right[stop, k] = scaled[stop, k]
+                stop += 1
         factor = np.empty((stop - start, stop - start))
         for a in range(stop - start):
             for b in range(a + 1):
                 factor[a, b] = root[start + a] * covariance[cells[start + a], cells[start + b]] * root[start + b]
-            factor[a, a] += 1.0 + root[start + a] ** 2 * lone[cells[start + a]]
+            factor[a, a] += 1.0 + root[start + a] ** 2 * lone[first + cells[start + a]]
         factorise(factor)
         own = right[start:stop]
         whiten_columns(factor, own)
@@ -328,24 +368,31 @@ def _whiten(covariance: Any, cells: Any, root: Any, right: Any, deviations: Any,
         substitute_back(factor, solved)
         inverse = inverse_diagonal(factor)
         for a in range(stop - start):
-            cell, precision = cells[start + a], root[start + a] * inverse[a]
+            cell, precision = first + cells[start + a], root[start + a] * inverse[a]
             known = 1.0 / (root[start + a] * precision) - lone[cell]
             left = solved[a] / precision
             beyond[cell] = known * max((left * left / known - 1.0) / (OWN_DEGREES + 1.0), 0.0)
         for a in range(stop - start):
             solved[a] *= root[start + a]
-            deviations[cells[start + a]] -= lone[cells[start + a]] * solved[a]
-        for c in range(leg * LEG_CELLS, (leg + 1) * LEG_CELLS):
-            for a in range(stop - start):
-                deviations[c] -= covariance[c, cells[start + a]] * solved[a]
+            deviations[first + cells[start + a]] -= lone[first + cells[start + a]] * solved[a]
+            # the covariance is symmetric: its rows lie as they are read
+            for c in range(LEG_CELLS):
+                deviations[first + c] -= covariance[cells[start + a], c] * solved[a]
         start = stop
+    return start
 
 
-def _contradicted(sums: CellSums, deviations: FloatArray, own: FloatArray) -> FloatArray:
-    """(CELLS,) variance of what does not come back, by the scale mixture of a t distribution of ``OWN_DEGREES``."""
-    seen = sums.weight > 0
-    result = own.copy()
-    left = -sums.rhs[seen] / sums.weight[seen] - deviations[seen]
-    square = left**2 / (own[seen] + 1 / sums.weight[seen])
-    result[seen] = own[seen] * np.maximum((OWN_DEGREES + square) / (OWN_DEGREES + 1), 1.0)
-    return result
+@kernel(releases=True)
+def _contradict(sums: Any, noise: Any, deviations: Any, own: Any, uneven: Any, straight: Any, result: Any) -> None:
+    """(CELLS,) variance of what does not come back in the cells of a sighting into ``result``, as :meth:`SurfaceModel.own_of` but for what
+    contradicts the ``deviations``: by the scale mixture of a t distribution of ``OWN_DEGREES``."""
+    weight, distances, square = sums
+    for c in range(len(weight)):
+        result[c] = own
+        if weight[c] > 0.0:
+            distance = -distances[c] / weight[c]
+            within = max(square[c] / weight[c] - distance * distance - noise * noise, 0.0)
+            result[c] += (uneven[0] if straight[c] else uneven[1]) * within
+            left = distance - deviations[c]
+            left *= left / (result[c] + 1.0 / weight[c])
+            result[c] *= max((OWN_DEGREES + left) / (OWN_DEGREES + 1.0), 1.0)

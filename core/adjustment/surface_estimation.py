@@ -17,12 +17,15 @@ import numpy as np
 
 from ..common.arrays import FloatArray, IntArray
 from ..common.kernels import side_by_side
+from ..common.positive_definite import inverse
 from ..model.mould import AXIAL_CELLS, AZIMUTH_CELLS, DISC_CELLS
 from .shape_effects import (
     COMPONENTS,
+    LEG_CELLS,
     CellSums,
     SurfaceModel,
     prior_surface,
+    smooth_factors,
     straight_cells,
     structures,
 )
@@ -43,7 +46,11 @@ LEAST_CHANGE = 0.02
 MOULD_CELLS = AXIAL_CELLS * AZIMUTH_CELLS // 3 + 1
 """Cells of a mould: along a leg and around a third of it, all legs and thirds being alike, and the end disc."""
 LEAST_MOULD_UNITS = 4
+OWN, STRAIGHT, ENDS, SIZE = range(len(COMPONENTS), len(COMPONENTS) + 4)
+"""Places of the variances of what does not come back, of its shares, and of the size, after those of the components."""
 SHORT_RANGE = [COMPONENTS.index("patch"), COMPONENTS.index("spot")]
+WHOLE = [*SHORT_RANGE, OWN, STRAIGHT, ENDS]
+"""Variances that multiply matrices of full rank."""
 PATCH_TAILS = 2.0
 """Factor of the standard deviation of what is left from patch to patch: chips, fins and fillets make it long-tailed. Chosen on real units
 seen from sides drawn anew (``benchmarks/accuracy/real_views.py``), beside two factors derived from surveys; simulated castings do not
@@ -84,18 +91,23 @@ class SampledUnit:
 class _Observed:
     """Means of the cells of one unit, poses projected out by an orthonormal basis of the space that they do not reach.
 
-    ``values`` (m,), their ``noise`` (m, m), what each variance multiplies ``parts`` (v, m, m), and what the mould's cells and the mean size
-    add ``mould`` (m, MOULD_CELLS + 1).
+    ``values`` (m,), their ``noise`` (m, m), ``factors`` (m, r) of what the variances of :func:`_factored` multiply, ``parts`` (v, m, m)
+    that those of ``WHOLE`` multiply, and what the mould's cells and the mean size add, ``mould`` (m, MOULD_CELLS + 1).
     """
 
     values: FloatArray
     noise: FloatArray
+    factors: FloatArray
     parts: FloatArray
     mould: FloatArray
 
     def covariance(self, variances: FloatArray) -> FloatArray:
         """(m, m) of the values."""
-        return np.asarray(np.tensordot(variances, self.parts, axes=1) + self.noise)
+        scaled = self.factors * np.sqrt(variances[_factored()])
+        result = np.tensordot(variances[WHOLE], self.parts, axes=1)
+        result += scaled @ scaled.T
+        result += self.noise
+        return np.asarray(result)
 
 
 def estimate_surface(
@@ -119,7 +131,7 @@ def estimate_surface(
     observed = [o for o in side_by_side(partial(_observations, surface=surface), units) if o is not None]
     if not observed:
         return prior
-    # order of the variances: components, own, size
+    # order of the variances: components, own, its shares, size
     base = np.concatenate([prior.variances, [prior.own, *prior.uneven, prior.size_sd**2]])
     if stored is not None:
         # a stored mould states them with their tails
@@ -202,17 +214,19 @@ def _observations(unit: SampledUnit, surface: SurfaceModel) -> _Observed | None:
     design, size = columns[chosen, 4:-1], columns[chosen, -1]
     basis, _ = np.linalg.qr(design, mode="complete")
     free = basis[:, poses:]
-    index = np.ix_(where, where)
     straight = straight_cells()[where]
-    kernels = [free.T @ k[index] @ free for k in structures()]
+    leg, place = np.divmod(where, LEG_CELLS)
+    same_leg = leg[:, None] == leg
+    kernels = [free.T @ (same_leg * structures()[k][np.ix_(place, place)]) @ free for k in SHORT_RANGE]
     kernels += [free.T @ (d[:, None] * free) for d in (doubt, doubt * uneven * straight, doubt * uneven * ~straight)]
-    kernels += [np.outer(free.T @ size, free.T @ size)]
+    each_leg = [(leg[:, None] == k) * np.hstack(smooth_factors())[place] for k in range(4)]
+    factors = free.T @ np.column_stack([*each_leg, size])
     mould = free.T @ np.column_stack([np.eye(MOULD_CELLS)[mould_cells()[where]], -size])
     known = np.diag(noise)
     if unit.apart is not None:
         known += np.where(where[:, None] == where, unit.apart[where], 0.0)
     # as if the unit had its nominal size
-    return _Observed(free.T @ (distance - unit.scale * size), free.T @ known @ free, np.stack(kernels), mould)
+    return _Observed(free.T @ (distance - unit.scale * size), free.T @ known @ free, factors, np.stack(kernels), mould)
 
 
 def _columns(sums: CellSums, own: FloatArray, seen: IntArray, surface: SurfaceModel) -> FloatArray:
@@ -224,9 +238,19 @@ def _columns(sums: CellSums, own: FloatArray, seen: IntArray, surface: SurfaceMo
     return np.column_stack([*means, sums.rows[seen] / weight[:, None]])
 
 
+@lru_cache(maxsize=1)
+def _factored() -> IntArray:
+    """(r,) place of the variance of each column of factors."""
+    counts = [columns.shape[1] for columns in smooth_factors()]
+    return np.append(np.tile(np.repeat(np.arange(len(counts)), counts), 4), SIZE)
+
+
 def _scores(o: _Observed, values: FloatArray, mould: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Quadratic forms y' P K_j P y and traces of P K_j by variance."""
-    flat = o.parts.reshape(len(values), -1)
-    p = np.linalg.inv(o.covariance(values))
+    p = inverse(o.covariance(values))
     py = p @ (o.values - o.mould @ mould)
-    return flat @ np.outer(py, py).ravel(), flat @ p.ravel()
+    forms, traces = np.zeros(len(values)), np.zeros(len(values))
+    np.add.at(forms, _factored(), (o.factors.T @ py) ** 2)
+    np.add.at(traces, _factored(), np.sum(o.factors * (p @ o.factors), axis=0))
+    forms[WHOLE], traces[WHOLE] = (o.parts @ py) @ py, o.parts.reshape(len(WHOLE), -1) @ p.ravel()
+    return forms, traces

@@ -90,9 +90,11 @@ class CastSurfaces:
         self._apart[unit] = np.minimum(found.apart / MILLIMETRE**2, LARGEST_HALF).astype(np.float16)
         self._misfits[unit] = found.misfit, found.seen - unknowns
         seen = float(found.seen)
-        weakest = min(self._sample, key=lambda k: self._sample[k][0], default=unit)
-        if unit in self._sample or len(self._sample) < SAMPLE_UNITS or seen > self._sample[weakest][0]:
-            if unit not in self._sample and len(self._sample) >= SAMPLE_UNITS:
+        weakest = None
+        if unit not in self._sample and len(self._sample) >= SAMPLE_UNITS:
+            weakest = min(self._sample, key=lambda k: self._sample[k][0])
+        if weakest is None or seen > self._sample[weakest][0]:
+            if weakest is not None:
                 del self._sample[weakest]
             own = [CellSums(s.rows[:, :unknowns].copy(), s.weight, s.rhs, s.square, s.noise) for s in sightings]
             self._sample[unit] = (seen, SampledUnit(scale, own, found.own, found.apart))

@@ -145,9 +145,10 @@ class UnitEquations:
 
 def symmetric(upper: FloatArray, size: int) -> FloatArray:
     """Symmetric matrix of which half is kept: one a unit stays in memory."""
-    full = np.zeros((size, size))
-    full[upper_triangle(size)] = upper
-    return np.asarray(full + np.triu(full, 1).T)
+    full = np.empty((size, size))
+    rows, columns = upper_triangle(size)
+    full[rows, columns] = full[columns, rows] = upper
+    return full
 
 
 class DriftSystem:

@@ -97,9 +97,11 @@ def adjust_jointly(
 
 
 class UnitReduction(NamedTuple):
-    """A unit eliminated from the normal equations: its block, what it says of its surface, and its sums by cell and sighting."""
+    """A unit eliminated from the normal equations: its block, whether the turn of each sighting is open, what it says of its surface, and
+    its sums by cell and sighting."""
 
     block: UnitBlock
+    open: list[bool]
     surface: Eliminated
     cells: list[CellSums]
 
@@ -255,7 +257,8 @@ class _JointSolver:
             strip_upper=(normal[own:, own:] - coupling.T @ inverse @ coupling)[upper_triangle(size - own)],
             strip_rhs=rhs[own:] - coupling.T @ inverse @ rhs[:own],
         )
-        return UnitReduction(block, found, cells)
+        turns = (inverse[k : k + 3, k : k + 3] for k in range(3, n_pose, 6))
+        return UnitReduction(block, [largest_sd(turn) > OPEN_TURN for turn in turns], found, cells)
 
     def offset_prior(self) -> FloatArray:
         """(3 s,) weights of the pseudo-observations."""
@@ -297,14 +300,16 @@ class _JointSolver:
                     surface.learn()
             strips = self.strip_system(blocks)
             steps = [strips.apply(self.values)]
+            changes = np.zeros((len(self.sightings), 6))
             for unit, block in blocks.items():
                 change = block.inverse @ (block.rhs - block.coupling @ strips.change(unit, block.strips))
-                steps.append(float(np.abs(change[:-1].reshape(-1, 6)[:, :3]).max()))
-                for body, k in enumerate(self.order[unit]):
-                    self.centres[k] = self.centres[k] + change[6 * body : 6 * body + 3]
-                    turn = Rotation.from_rotvec(change[6 * body + 3 : 6 * body + 6]).as_matrix()
-                    self.rotations[k] = np.ascontiguousarray(turn @ self.rotations[k])
+                changes[list(self.order[unit])] = change[:-1].reshape(-1, 6)
+                steps.append(float(np.abs(changes[list(self.order[unit]), :3]).max()))
                 self.scales[unit] += float(change[-1])
+            turns = Rotation.from_rotvec(changes[:, 3:]).as_matrix()
+            for k, change in enumerate(changes):
+                self.centres[k] = self.centres[k] + change[:3]
+                self.rotations[k] = np.ascontiguousarray(turns[k] @ self.rotations[k])
             # units that are hardly determined go on wandering within their deviations: the rest decides
             step = max(steps[0], float(np.quantile(steps, 0.9)))
             if iteration > LEARNING_ITERATIONS[-1] and step < CONVERGED * float(np.nanmin(self.noise)):
@@ -384,10 +389,7 @@ class _JointSolver:
             surface = self.surfaces[self.sightings[self.order[unit][0]].shape]
             surface.keep(unit, self.scales[unit], reduction.surface, reduction.cells, len(reduction.block.rhs))
             blocks[unit] = reduction.block
-            covariance = reduction.block.inverse
-            for body, k in enumerate(self.order[unit]):
-                turn = slice(6 * body + 3, 6 * body + 6)
-                self.open[k] |= largest_sd(covariance[turn, turn]) > OPEN_TURN
+            self.open[list(self.order[unit])] |= reduction.open
         return blocks
 
     def strip_system(self, blocks: Mapping[int, UnitBlock]) -> StripSystem:

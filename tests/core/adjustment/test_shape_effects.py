@@ -17,6 +17,7 @@ from tetratrack.core.adjustment.shape_effects import (
     cell_places,
     eliminate,
     prior_surface,
+    smooth_factors,
     structures,
 )
 from tetratrack.core.adjustment.surface_estimation import LEAST_MOULD_UNITS, SampledUnit, estimate_surface
@@ -38,10 +39,15 @@ def sighting(rng: np.random.Generator, deviations: np.ndarray, seen: np.ndarray,
     return CellSums(design * weight[:, None], weight, -weight * values, weight * (values**2 + NOISE**2), NOISE)
 
 
+def whole_unit(leg: np.ndarray) -> np.ndarray:
+    """(CELLS, CELLS) of all legs, which nothing ties, from what holds of the cells of each."""
+    return np.kron(np.eye(4), leg)
+
+
 def castings(seed: int, count: int, variances: np.ndarray, mould: np.ndarray) -> list[SampledUnit]:
     """Units seen in two epochs from different sides."""
     rng = np.random.default_rng(seed)
-    root = np.linalg.cholesky(np.tensordot(variances, structures(), axes=1) + 1e-12 * np.eye(CELLS))
+    root = whole_unit(np.linalg.cholesky(np.tensordot(variances, structures(), axes=1) + 1e-12 * np.eye(LEG_CELLS)))
     units = []
     for _ in range(count):
         deviations = mould + root @ rng.normal(size=CELLS)
@@ -57,13 +63,24 @@ def test_elimination_equals_the_direct_solution() -> None:
     cells = np.flatnonzero(sums.weight)
     x = sums.rows[cells] / sums.weight[cells, None]
     y = sums.rhs[cells] / sums.weight[cells] + surface.mean[cells]
-    total = surface.covariance[np.ix_(cells, cells)] + np.diag(1 / sums.weight[cells] + surface.own_of(sums)[cells])
+    total = whole_unit(surface.covariance)[np.ix_(cells, cells)] + np.diag(1 / sums.weight[cells] + surface.own_of(sums)[cells])
     expected = x.T @ np.linalg.solve(total, x), x.T @ np.linalg.solve(total, y)
     found = eliminate(sums.rows[cells].T @ x, x.T @ sums.rhs[cells], [sums], surface, surface.covariance)
     assert found.normal == pytest.approx(expected[0], rel=1e-6, abs=1e-6 * np.abs(expected[0]).max())
     assert found.rhs == pytest.approx(expected[1], rel=1e-6, abs=1e-6 * np.abs(expected[1]).max())
     assert found.misfit == pytest.approx(y @ np.linalg.solve(total, y))
     assert found.seen == len(cells)
+
+
+def test_smooth_parts_are_products_of_their_factors() -> None:
+    _, axial, azimuth, disc = (values[:LEG_CELLS] for values in cell_places())
+    tilt = structures()[COMPONENTS.index("tilt")]
+    a, b = 3 * AZIMUTH_CELLS + 1, 7 * AZIMUTH_CELLS + 5
+    expected = (axial[a] - 0.55) * (axial[b] - 0.55) / 0.09 * np.cos(azimuth[a] - azimuth[b])
+    assert tilt[a, b] == pytest.approx(expected)
+    assert not tilt[disc == 1].any()
+    for columns, correlation in zip(smooth_factors(), structures(), strict=False):
+        assert np.linalg.matrix_rank(correlation) == columns.shape[1]
 
 
 def test_a_cell_in_which_two_epochs_contradict_each_other_loses_weight() -> None:
@@ -79,7 +96,7 @@ def test_a_cell_in_which_two_epochs_contradict_each_other_loses_weight() -> None
 def test_cells_that_stand_apart_in_all_epochs_no_longer_pull_the_pose() -> None:
     surface = prior_surface(HEIGHT)
     covariance = surface.covariance
-    root = np.linalg.cholesky(covariance + 1e-12 * np.eye(CELLS))
+    root = whole_unit(np.linalg.cholesky(covariance + 1e-12 * np.eye(LEG_CELLS)))
     touched = 5 * AZIMUTH_CELLS + np.array([0, 6, 12])
     forms = np.zeros(2)
     for seed in range(4):

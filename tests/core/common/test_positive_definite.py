@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from tetratrack.core.common.positive_definite import (
     factorise,
+    inverse,
     inverse_diagonal,
     largest_sd,
     solve_factorised,
@@ -61,3 +62,11 @@ def test_what_is_not_positive_definite_is_not_finite() -> None:
     factorise(matrix)
     solve_factorised(matrix, solution)
     assert not np.isfinite(solution).all()
+
+
+def test_an_inverse_is_symmetric_and_nan_where_there_is_none() -> None:
+    root = np.random.default_rng(5).normal(size=(30, 40))
+    found = inverse(root @ root.T)
+    np.testing.assert_allclose(found, np.linalg.inv(root @ root.T), rtol=1e-8, atol=1e-12)
+    np.testing.assert_array_equal(found, found.T)
+    assert np.isnan(inverse(np.array([[1.0, 2.0], [2.0, 1.0]]))).all()

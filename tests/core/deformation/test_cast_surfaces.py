@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tetratrack.core.adjustment.shape_effects import CELLS, CellSums
+from tetratrack.core.adjustment.shape_effects import CELLS, LEG_CELLS, CellSums
 from tetratrack.core.deformation.cast_surfaces import CastSurfaces
 
 
@@ -31,7 +31,8 @@ def test_a_sighting_that_is_not_tied_says_what_it_says_alone() -> None:
 def test_a_unit_that_departs_more_than_others_is_known_less() -> None:
     rng = np.random.default_rng(4)
     surfaces = CastSurfaces(2.0)
-    root = np.linalg.cholesky(surfaces.model.covariance + 1e-12 * np.eye(CELLS))
+    # nothing ties two legs
+    root = np.kron(np.eye(4), np.linalg.cholesky(surfaces.model.covariance + 1e-12 * np.eye(LEG_CELLS)))
     sizes = [*np.full(8, 0.8), 2.4]
     for unit, size in enumerate(sizes):
         weight = np.where(rng.random(CELLS) < 0.2, 1e7, 0.0)
