@@ -27,7 +27,7 @@ from tetratrack.core.deformation.chained_frames import chained_errors
 from tetratrack.core.deformation.congruence import Congruence, congruence_of
 from tetratrack.core.deformation.control_scale import with_rigid_scale
 from tetratrack.core.deformation.elastic_congruence import elastic_congruence_of
-from tetratrack.core.registration.control import weighted_fit
+from tetratrack.core.registration.weighted_transformation import weighted_fit
 
 LENGTH, STATION, DENSITY = 105.0, 52.5, 2.0
 OFFSETS = ((0.003, 0.003), (0.003, 0.0), (0.0015, 0.003), (0.0, 0.0015))

@@ -19,7 +19,8 @@ from scipy.special import fdtrc
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.robust import CHI2_3_MEDIAN
 from ..registration.bending import GAIN, Bending, estimate_bending, explained, rigid_log_likelihood
-from ..registration.control import MIN_TARGETS, SNOOPING_LEVEL, exclude_by_turns
+from ..registration.control import SNOOPING_LEVEL
+from ..registration.disturbed_targets import MIN_TARGETS, exclude_by_turns
 from ..registration.frame_field import FREE_SHIFT, FREE_TURN, RIGID, FieldBasis, FieldEstimate, FieldModel
 from ..registration.shift_samples import FEWEST_CELLS, ShiftSample, in_cells
 from ..registration.transformation import rigid_jacobian

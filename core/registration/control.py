@@ -1,17 +1,14 @@
-"""Registration of an epoch's cloud to survey control: weighted rigid or similarity transformation with data snooping.
+"""Registration of an epoch's cloud to survey control: weighted rigid or similarity transformation, disturbed targets excluded.
 
 Model per target: X = X0 + t + m R (x - x0), with x measured in the cloud and X surveyed. x0 and X0 are reduction points (the
 weighted centroids), so that nothing runs on seven-digit coordinates and translation and rotation are nearly uncorrelated.
-Outliers are tested a point (three coordinates) at a time with the externally studentised statistic, whose distribution F(3, r - 3)
-holds for small redundancy too (Foerstner and Wrobel, 2016, Photogrammetric Computer Vision, 4.6.4), the level shared among the
-points after Bonferroni (Pope, 1976; Baarda, 1968 for the notion of snooping).
 """
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -19,22 +16,18 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.spatial.transform import Rotation
-from scipy.special import fdtrc
 
-from ..common.arrays import BoolArray, FloatArray
+from ..common.arrays import FloatArray
 from ..common.errors import InputError
-from ..common.rotations import closest_rotation
 from ..data.point_tables import SurveyedPoints
-from .transformation import Transformation, rigid_jacobian
+from .disturbed_targets import MIN_TARGETS, outlier_tests, spread_enough, used_targets
+from .transformation import Transformation
+from .weighted_transformation import WeightedFit, closed_form, weighted_fit
 
 SNOOPING_LEVEL = 0.01
 """Probability of excluding any good target of an epoch."""
-MIN_TARGETS = 3
 DISTURBED = "disturbed target excluded"
 """How the note on excluded targets begins."""
-LEAST_SPREAD = 0.1
-"""Least spread of chosen targets across their main direction, over that of all targets."""
 AXES_TOLERANCE = 30.0
 """Misfit of half of the targets, in stated standard deviations, that no measurement explains."""
 SCALE_TOLERANCE = 0.002
@@ -158,8 +151,8 @@ def register(
         Fewer than three common targets, targets on one line, or coordinates whose columns or axes are exchanged.
     """
     names, unmatched = _common_names(control, targets)
-    pick_control = [control.ids.index(name) for name in names]
-    pick_target = [targets.ids.index(name) for name in names]
+    rows = ({name: k for k, name in enumerate(points.ids)} for points in (control, targets))
+    pick_control, pick_target = ([row[name] for name in names] for row in rows)
     surveyed, measured = control.coordinates[pick_control], targets.coordinates[pick_target]
     variances = control.sds[pick_control] ** 2 + targets.sds[pick_target] ** 2
     if not (variances > 0).all():
@@ -170,11 +163,10 @@ def register(
     pool = sum(r.sigma0**2 * r.redundancy for r in others), sum(r.redundancy for r in others)
 
     @cache  # both searches for the targets to use end, as a rule, with the same ones
-    def outlier_tests(used: bytes) -> list[tuple[FloatArray, float]]:
-        kept = np.frombuffer(used, dtype=np.bool_)
-        return [_outlier_test(surveyed, measured, variances, kept, similarity, k, pool) for k in range(len(names))]
+    def tests(used: bytes) -> tuple[FloatArray, FloatArray]:
+        return outlier_tests(surveyed, measured, variances, np.frombuffer(used, dtype=np.bool_), similarity, pool)
 
-    used = _snoop(surveyed, measured, variances, similarity, level, lambda used: np.array([p for _, p in outlier_tests(used.tobytes())]))
+    used = used_targets(surveyed, measured, variances, similarity, level, lambda used: tests(used.tobytes())[1])
     fit = weighted_fit(surveyed, measured, variances, used, similarity)
     everything = weighted_fit(surveyed, measured, variances, np.ones(len(names), dtype=bool), similarity)
     residuals = fit.transformation.apply(measured) - surveyed
@@ -185,11 +177,11 @@ def register(
             residual=residuals[k],
             sds=np.sqrt(variances[k]),
             w_max=float(np.max(np.abs(statistic))),
-            p_value=p_value,
+            p_value=float(p_value),
             used=bool(used[k]),
             outlier=not used[k],
         )
-        for k, (name, (statistic, p_value)) in enumerate(zip(names, outlier_tests(used.tobytes()), strict=True))
+        for k, (name, statistic, p_value) in enumerate(zip(names, *tests(used.tobytes()), strict=True))
     )
     effect, where = 0.0, measured if reference is None else np.asarray(reference, dtype=np.float64).reshape(-1, 3)
     if not used.all():
@@ -211,7 +203,8 @@ def register(
 
 def _common_names(control: SurveyedPoints, targets: SurveyedPoints) -> tuple[list[str], list[str]]:
     """Names of the targets in both files, in the order of control, and of those in one file only."""
-    names = [name for name in control.ids if name in set(targets.ids)]
+    measured = set(targets.ids)
+    names = [name for name in control.ids if name in measured]
     unmatched = sorted(set(control.ids) ^ set(targets.ids))
     if len(names) < MIN_TARGETS:
         raise InputError(
@@ -239,217 +232,8 @@ def _notes(fit: WeightedFit, unmatched: Sequence[str], excluded: Sequence[str], 
     return notes
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class WeightedFit:
-    """Transformation by weighted least squares, with what tests need.
-
-    Attributes
-    ----------
-    transformation
-        Cloud to control, with the covariance of the stated deviations.
-    sigma0, redundancy, square_sum
-        Standard deviation of unit weight, degrees of freedom, and the weighted sum of squares of the residuals.
-    residuals
-        (n, 3) adjusted less surveyed, metres, of points left out too.
-    rows
-        Derivatives of the coordinates with respect to the free parameters.
-    """
-
-    transformation: Transformation
-    sigma0: float
-    redundancy: int
-    square_sum: float
-    residuals: FloatArray
-    rows: FloatArray
-
-
-def weighted_fit(surveyed: FloatArray, measured: FloatArray, variances: FloatArray, used: BoolArray, similarity: bool) -> WeightedFit:
-    """Weighted least squares over the used points; closed-form start, then Gauss-Newton with the full weights.
-
-    Parameters
-    ----------
-    surveyed, measured
-        (n, 3) the same points in control and in the cloud, metres.
-    variances
-        (n, 3) of their differences, square metres.
-    used
-        (n,) points that take part.
-    similarity
-        Estimate a scale as well.
-    """
-    weights = np.where(used[:, None], 1 / variances, 0.0)
-    mean_weight = weights.mean(axis=1)
-    origin_from = np.average(measured, axis=0, weights=mean_weight)
-    origin_to = np.average(surveyed, axis=0, weights=mean_weight)
-    x, y = measured - origin_from, surveyed - origin_to
-    rotation, scale = _closed_form(x[used], y[used], mean_weight[used], similarity)
-    free = 7 if similarity else 6
-    translation = np.zeros(3)
-    cofactor = np.zeros((7, 7))
-    for _ in range(10):
-        turned = scale * x @ rotation.T
-        misfit = y - turned - translation
-        rows = rigid_jacobian(turned)[:, :, :free]
-        rows = rows.copy()
-        if similarity:
-            rows[:, :, 6] /= scale
-        normal = np.einsum("nia,ni,nib->ab", rows, weights, rows)
-        change = np.linalg.solve(normal, np.einsum("nia,ni,ni->a", rows, weights, misfit))
-        translation = translation + change[:3]
-        rotation = Rotation.from_rotvec(change[3:6]).as_matrix() @ rotation
-        if similarity:
-            scale += change[6]
-        if np.linalg.norm(change[:3]) < 1e-9 and np.linalg.norm(change[3:6]) < 1e-12:
-            break
-    cofactor[:free, :free] = np.linalg.inv(normal)
-    residuals = scale * x @ rotation.T + translation - y
-    redundancy = 3 * int(used.sum()) - free
-    square_sum = float(np.sum(weights * residuals**2))
-    sigma0 = math.sqrt(square_sum / redundancy) if redundancy > 0 else 1.0
-    transformation = Transformation(
-        origin_from=origin_from, origin_to=origin_to, translation=translation, rotation=rotation, scale=float(scale), covariance=cofactor
-    )
-    return WeightedFit(
-        transformation=transformation, sigma0=sigma0, redundancy=redundancy, square_sum=square_sum, residuals=residuals, rows=rows
-    )
-
-
-def _closed_form(x: FloatArray, y: FloatArray, weights: FloatArray, similarity: bool) -> tuple[FloatArray, float]:
-    """Rotation and scale of reduced points."""
-    x, y = x - np.average(x, axis=0, weights=weights), y - np.average(y, axis=0, weights=weights)
-    rotation, values = closest_rotation((y * weights[:, None]).T @ x)
-    scale = float(np.sum(values) / np.sum(weights * np.sum(x**2, axis=1))) if similarity else 1.0
-    return rotation, scale
-
-
-def _outlier_test(
-    surveyed: FloatArray,
-    measured: FloatArray,
-    variances: FloatArray,
-    used: BoolArray,
-    similarity: bool,
-    point: int,
-    pool: tuple[float, int],
-) -> tuple[FloatArray, float]:
-    """Prediction of one point from the other used ones: normalised residuals (3,) and p-value of all three together.
-
-    ``pool`` is the weighted square sum of the residuals of other epochs and its redundancy.
-    """
-    others = used.copy()
-    others[point] = False
-    if others.sum() < MIN_TARGETS or not _spread_enough(measured[others], float(math.sqrt(np.median(variances))), _spread_across(measured)):
-        return np.zeros(3), 1.0
-    fit = weighted_fit(surveyed, measured, variances, others, similarity)
-    moved = fit.transformation.apply(measured[point][None])
-    gap = (moved - surveyed[point])[0]
-    jacobian = fit.transformation.jacobian(moved)[0]
-    cofactor = np.diag(variances[point]) + jacobian @ fit.transformation.covariance @ jacobian.T
-    redundancy = fit.redundancy + pool[1]
-    if fit.redundancy < 1:
-        return np.zeros(3), 1.0
-    # a sample variance below the stated one is luck as a rule; without this floor a lucky handful would condemn good targets
-    unit_variance = max((fit.square_sum + pool[0]) / redundancy, 1.0)
-    statistic = float(gap @ np.linalg.solve(cofactor, gap)) / 3 / unit_variance
-    return gap / np.sqrt(np.diag(cofactor) * unit_variance), float(fdtrc(3, redundancy, statistic))
-
-
-def _snoop(
-    surveyed: FloatArray,
-    measured: FloatArray,
-    variances: FloatArray,
-    similarity: bool,
-    level: float,
-    p_values: Callable[[BoolArray], FloatArray],
-) -> BoolArray:
-    """Points to use: from all points and from a robust start, the worst point out and any good one back in until nothing changes.
-
-    ``p_values`` of all points, each against those that are used.
-
-    Several disturbed targets can hide each other from the first; the second begins with the points that agree best, which makes the
-    noise look too small and good targets too far off. So the second counts only where its variance is significantly less.
-    """
-    count = len(surveyed)
-    if count <= MIN_TARGETS + 1:
-        return np.ones(count, dtype=bool)
-
-    starts = np.ones(count, dtype=bool), _robust_start(surveyed, measured, variances)
-    from_all, robust = (exclude_by_turns(p_values, start, level) for start in starts)
-    fits = [weighted_fit(surveyed, measured, variances, used, similarity) for used in (from_all, robust)]
-    ratio = fits[0].sigma0 ** 2 / max(fits[1].sigma0 ** 2, 1.0)
-    smaller = fdtrc(fits[0].redundancy, fits[1].redundancy, ratio) < level
-    return robust if smaller else from_all
-
-
-def exclude_by_turns(p_values_of: Callable[[BoolArray], FloatArray], start: BoolArray, level: float) -> BoolArray:
-    """(k,) observations to use: the worst out and any good one back in until nothing changes.
-
-    Parameters
-    ----------
-    p_values_of
-        (k,) p-values of all observations, each against the (k,) used ones.
-    start
-        (k,) used at first.
-    level
-        Of the test, for the whole set (Bonferroni).
-    """
-    used = start.copy()
-    count = len(used)
-    critical = level / count
-    for _ in range(2 * count):
-        p = p_values_of(used)
-        back, worst = np.where(~used, p, 0.0), np.where(used, p, 2.0)
-        if back.max() >= critical:
-            used[int(np.argmax(back))] = True
-        elif worst.min() < critical and used.sum() > MIN_TARGETS + 1:
-            used[int(np.argmin(worst))] = False
-        else:
-            break
-    return used
-
-
-def _robust_start(surveyed: FloatArray, measured: FloatArray, variances: FloatArray) -> BoolArray:
-    """Half of the points, and at least four, that agree best with a transformation through some three of them (least median of squares)."""
-    count = len(surveyed)
-    triples = list(itertools.combinations(range(count), 3))
-    if len(triples) > 400:
-        rng = np.random.default_rng(0)
-        triples = [tuple(t) for t in np.array(triples)[rng.choice(len(triples), 400, replace=False)]]
-    keep = max(MIN_TARGETS + 1, count // 2 + 1)
-    noise, across = float(math.sqrt(np.median(variances))), _spread_across(measured)
-    spread = [triple for triple in triples if _spread_enough(measured[list(triple)], noise, across)]
-    index = np.array(spread, dtype=np.int64).reshape(-1, 3)
-    from_places, to_places = measured[index], surveyed[index]
-    from_middle, to_middle = (places.mean(axis=1, keepdims=True) for places in (from_places, to_places))
-    rotations, _ = closest_rotation(np.swapaxes(to_places - to_middle, 1, 2) @ (from_places - from_middle))
-    moved = (measured - from_middle) @ np.swapaxes(rotations, 1, 2) + to_middle
-    squares = np.sum((moved - surveyed) ** 2 / variances, axis=2)
-    orders = np.argsort(squares, axis=1)[:, :keep]
-    farthest = np.take_along_axis(squares, orders[:, -1:], axis=1)[:, 0]
-    best = (orders[k] for k in np.argsort(farthest, kind="stable"))
-    chosen = next((order for order in best if _spread_enough(measured[order], noise, across)), np.arange(keep))
-    used = np.zeros(count, dtype=bool)
-    used[chosen] = True
-    return used
-
-
-def _spread_across(network: FloatArray) -> float:
-    """Spread of (n, 3) points across their main direction, metres."""
-    return float(np.linalg.svd(network - network.mean(axis=0), compute_uv=False)[1]) / math.sqrt(len(network))
-
-
-def _spread_enough(points: FloatArray, noise: float, across: float = 0.0) -> bool:
-    """Whether points lie so far off one line that the rotation about it is determined (better than about 10 degrees).
-
-    Of points chosen from a network, which spreads ``across`` its main direction, more is asked: targets in one row agree with each other
-    whatever the rotation about the row, and would condemn all others. Noise alone, often understated, must not pass for a spread.
-    """
-    values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    least = max(5 * noise, 1e-3 * values[0], LEAST_SPREAD * across * math.sqrt(len(points)))
-    return bool(values[1] > least)
-
-
 def _check_spread(measured: FloatArray, noise: float, targets: SurveyedPoints) -> None:
-    if not _spread_enough(measured, noise):
+    if not spread_enough(measured, noise):
         raise InputError(
             f"{len(measured)} common targets lie on one line: the rotation about it is not determined",
             source=targets.source,
@@ -466,7 +250,7 @@ def _check_axes(surveyed: FloatArray, measured: FloatArray, noise: float, contro
     for order in itertools.permutations(range(3)):
         moved = surveyed[:, order]
         x, y = measured - np.median(measured, axis=0), moved - np.median(moved, axis=0)
-        rotation, _ = _closed_form(x, y, np.ones(len(x)), False)
+        rotation, _ = closed_form(x, y, np.ones(len(x)), False)
         misfit = (x - x.mean(axis=0)) @ rotation.T - (y - y.mean(axis=0))
         tilt = math.degrees(math.acos(float(np.clip(rotation[2, 2], -1, 1))))
         found.append((float(np.median(np.linalg.norm(misfit, axis=1))), tilt, order))

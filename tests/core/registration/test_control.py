@@ -15,6 +15,7 @@ from tetratrack.core.model.pose import Pose
 from tetratrack.core.registration import control as module
 from tetratrack.core.registration.survey_frame import METRES_PER, grid_scale, to_survey_frame
 from tetratrack.core.registration.transformation import Transformation, mean_offset_variance
+from tetratrack.core.registration.weighted_transformation import weighted_fit
 
 CENTRE = np.array([523_170.0, 3_884_615.0, 7.5])
 NETWORK = np.array(
@@ -105,7 +106,7 @@ def test_covariance_describes_the_errors_at_the_toe() -> None:
     forms = []
     for seed in range(250):
         control, targets = network(np.random.default_rng(seed))
-        fit = module.weighted_fit(
+        fit = weighted_fit(
             control.coordinates, targets.coordinates, control.sds**2 + targets.sds**2, np.ones(len(NETWORK), dtype=bool), False
         ).transformation
         error = fit.apply(toe + CENTRE) - (toe @ turn.T + SHIFT + CENTRE)
