@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -22,6 +23,7 @@ from ..model.unit_types import UnitType
 from .array_files import Arrays, load_arrays
 from .block_clouds import NOT_KEPT, BlockClouds
 from .blocks import HALO_HEIGHTS, MARGIN_HEIGHTS, Block
+from .given_units import GivenUnit, place_given
 from .job_runner import job_key
 
 if TYPE_CHECKING:
@@ -59,7 +61,7 @@ class SegmentJob:
     checksums
         Of the block's tiles.
     given
-        Rows of :func:`pose_rows` with the poses of units that are known already (absolute centres); None looks for units.
+        Units that are known already; None looks for units.
     timed
         Keep the GPS time of the units' points, by which a trajectory is read.
     clouds
@@ -72,7 +74,7 @@ class SegmentJob:
     units: tuple[SurveyUnit, ...]
     seed: int
     checksums: tuple[str, ...]
-    given: tuple[tuple[float, ...], ...] | None = None
+    given: tuple[GivenUnit, ...] | None = None
     timed: bool = False
     clouds: BlockClouds = NOT_KEPT
 
@@ -425,29 +427,18 @@ def _best_types(
     return {name: values[kept] for name, values in table.items()}, merged
 
 
-def _given(cloud: PointCloud, given: Sequence[tuple[float, ...]], units: Sequence[SurveyUnit]) -> tuple[dict[str, NDArray[Any]], IntArray]:
-    """Units whose poses are known: each point goes to the unit whose surface is nearest."""
-    from ..segmentation.aggregation import assign
-    from ..segmentation.segment import LABEL_NOISE, clearance
-    from ..segmentation.surface_elements import surface_noise
-
-    rows = np.array(given, dtype=np.float64).reshape(-1, 13)
-    poses = rows[:, 1:].copy()
-    poses[:, :3] -= cloud.origin
-    kinds = rows[:, 0].astype(np.int64)
-    labels = np.full(len(cloud), -1, dtype=np.int64)
-    best = np.full(len(cloud), np.inf)
-    for kind in np.unique(kinds):
-        unit = units[kind].type
-        members = np.flatnonzero(kinds == kind)
-        noise = surface_noise(cloud.xyz, unit.height) if len(cloud) >= 50 else 0.0
-        window = max(LABEL_NOISE * noise, 0.02 * unit.height)
-        own, distance = assign(cloud.xyz, poses[members], unit, window, clearance=clearance(noise, unit.height))
-        nearer = (own >= 0) & (np.abs(distance) < best)
-        labels[nearer], best[nearer] = members[own[nearer]], np.abs(distance[nearer])
-    count = len(rows)
-    unknown = [float("nan")] * count
-    return _table(list(poses), list(kinds), unknown, unknown, [0] * count, ["found"] * count, unknown, unknown), labels
+def _given(cloud: PointCloud, given: Sequence[GivenUnit], units: Sequence[SurveyUnit]) -> tuple[dict[str, NDArray[Any]], IntArray]:
+    poses, labels = place_given(cloud, given, [unit.type for unit in units])
+    return _table(
+        list(poses),
+        [unit.kind for unit in given],
+        [unit.score for unit in given],
+        [unit.coverage for unit in given],
+        [unit.legs_visible for unit in given],
+        [unit.status for unit in given],
+        [math.nan] * len(given),
+        [unit.supported for unit in given],
+    ), labels
 
 
 def _table(

@@ -36,6 +36,7 @@ from .block_jobs import (
 )
 from .epoch_plans import EpochPlan
 from .epoch_quality import entering, reduced
+from .given_units import GivenUnit
 from .job_runner import JobRunner
 from .tracking_jobs import LastFile
 
@@ -123,7 +124,7 @@ def find_and_fit(
     record: RunRecord,
     runner: JobRunner,
     feedback: Feedback,
-    given: Mapping[str, Sequence[tuple[float, ...]]] | None = None,
+    given: Mapping[str, Sequence[GivenUnit]] | None = None,
     beside: Callable[[], None] = lambda: None,
 ) -> tuple[tuple[EpochUnits, ...], dict[str, Any]]:
     """Find units and adjust each to its points; with ``calibrate`` the shape is first estimated from the best-seen units of all epochs,
@@ -159,10 +160,10 @@ def segment_epochs(
     record: RunRecord,
     runner: JobRunner,
     feedback: Feedback,
-    given: Mapping[str, Sequence[tuple[float, ...]]] | None = None,
+    given: Mapping[str, Sequence[GivenUnit]] | None = None,
     beside: Callable[[], None] = lambda: None,
 ) -> tuple[EpochUnits, ...]:
-    """Find the units of every epoch (or take ``given`` poses by epoch label), each once; ``beside`` is the caller's own work meanwhile.
+    """Find the units of every epoch (or take ``given`` ones by epoch label), each once; ``beside`` is the caller's own work meanwhile.
 
     Raises
     ------

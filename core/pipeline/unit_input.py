@@ -13,6 +13,7 @@ from ..data.survey import Survey
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..results.geopackage_reader import crs_of, read_given_rows
+from .given_units import GivenUnit
 from .stated_frames import is_registered, stated_frames
 
 GIVE = "Give a result of tetratrack segment, fit or run."
@@ -39,9 +40,8 @@ def read_units(path: Path) -> list[dict[str, Any]]:
     return rows
 
 
-def read_poses(path: Path, survey: Survey) -> dict[str, list[tuple[float, ...]]]:
-    """Poses of a layer ``units`` by epoch in the frame of its cloud: type of unit, centre and row-major rotation, as
-    :class:`SegmentJob` takes them.
+def read_given_units(path: Path, survey: Survey) -> dict[str, list[GivenUnit]]:
+    """Units of a layer ``units`` by epoch in the frame of its cloud, as the step ``fit`` takes them.
 
     Raises
     ------
@@ -50,19 +50,26 @@ def read_poses(path: Path, survey: Survey) -> dict[str, list[tuple[float, ...]]]
     """
     frames = stated_frames(path)
     kinds = {unit.type.name: k for k, unit in enumerate(survey.units)}
-    poses: dict[str, list[tuple[float, ...]]] = {epoch.label: [] for epoch in survey.epochs}
+    found: dict[str, list[GivenUnit]] = {epoch.label: [] for epoch in survey.epochs}
     for row in read_units(path):
         if row["geometry"] is None:
             continue
-        if row["epoch"] not in poses:
-            raise InputError(f"names the epoch {row['epoch']!r}", source=path, remedy=f"Epochs of the survey: {', '.join(poses)}.")
+        if row["epoch"] not in found:
+            raise InputError(f"names the epoch {row['epoch']!r}", source=path, remedy=f"Epochs of the survey: {', '.join(found)}.")
         pose = Pose.from_quaternion(row["geometry"], [row["qx"], row["qy"], row["qz"], row["qw"]])
         if row["epoch"] in frames:
             pose = frames[row["epoch"]].in_cloud(pose)
         elif is_registered(row):
             raise InputError(f"holds units of {row['epoch']} in the control frame without their registration", source=path, remedy=GIVE)
-        poses[row["epoch"]].append((float(kinds.get(row.get("unit_type", ""), 0)), *pose.centre.tolist(), *pose.rotation.ravel().tolist()))
-    return poses
+        found[row["epoch"]].append(_given_unit(row, kinds.get(row.get("unit_type", ""), 0), pose))
+    return found
+
+
+def _given_unit(row: Mapping[str, Any], kind: int, pose: Pose) -> GivenUnit:
+    """What a row says of a unit whose pose in the frame of its cloud is ``pose``."""
+    said = {name: row[name] for name in ("score", "coverage", "supported", "legs_visible") if row.get(name) is not None}
+    status = "uncertain" if row.get("status") == "uncertain" else "found"
+    return GivenUnit(kind, tuple(pose.as_row().tolist()), status, **said)
 
 
 def crs_of_layer(path: Path, layer: str = "units") -> str:

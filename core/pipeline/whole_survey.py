@@ -43,7 +43,7 @@ from .local_processes import LocalProcesses, processes_for
 from .no_units import warn_of_empty
 from .run_options import RunOptions, job_runner
 from .size_check import check_sizes
-from .unit_input import crs_of_layer, read_poses, read_units, unit_of
+from .unit_input import crs_of_layer, read_given_units, read_units, unit_of
 from .unit_table import control_rows, epoch_row, feature_rows, fitted_feature_rows, provisional_ids, unit_rows
 
 SHARES = {"read": 0.03, "fit": 0.82, "track": 0.14, "write": 0.01}
@@ -221,7 +221,7 @@ def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOption
     """Step ``fit``: adjusted units and feature points in the frame of each epoch's cloud, from given poses or from the points alone."""
     check_targets([(output, "the result")], [*survey.files, *([] if units is None else [units])])
     check_output(output)
-    given = None if units is None else read_poses(units, survey)
+    given = None if units is None else read_given_units(units, survey)
     plans = plan_survey(survey, feedback.part(0, 0.05))
     record = record_run(survey, options.seed, {"step": "fit"})
     with job_runner(output, options, feedback) as runner:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import shutil
 import signal
+import sqlite3
 import subprocess
 import sys
 import time
 from collections.abc import Callable
+from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
@@ -192,6 +195,9 @@ def test_steps_one_by_one(tiny: Path, tmp_path: Path) -> None:
     found = run_segment(survey, segmented, RunOptions(workers=1), Feedback())
     assert found["epochs"] == 2
     assert found["units"] >= 1
+    first = read_layer_rows(segmented, "units")[0]
+    with closing(sqlite3.connect(segmented)) as connection, connection:
+        connection.execute("UPDATE units SET status = 'uncertain', score = 0.34 WHERE fid = ?", (first["fid"],))
     run_fit(survey, segmented, fitted, RunOptions(workers=1), Feedback())
     before = {row["epoch"]: [] for row in read_layer_rows(segmented, "units")}
     for row in read_layer_rows(segmented, "units"):
@@ -200,6 +206,14 @@ def test_steps_one_by_one(tiny: Path, tmp_path: Path) -> None:
     assert adjusted
     for row in adjusted:
         assert min(np.linalg.norm(row["geom"] - place) for place in before[row["epoch"]]) < 0.2 * row["height"]
+    kept = min(read_layer_rows(fitted, "units"), key=lambda row: math.dist(row["geom"], first["geom"]) + (row["epoch"] != first["epoch"]))
+    assert [kept[name] for name in ("status", "score", "coverage", "supported")] == [
+        "uncertain",
+        0.34,
+        first["coverage"],
+        first["supported"],
+    ], "what segment said of it stays"
+    assert None not in {row["score"] for row in read_layer_rows(fitted, "units")}
     result = runner.invoke(app, ["features", str(fitted), "--output", str(features), "--quiet"])
     assert result.exit_code == 0, result.output
     places = {(r["unit_id"], r["epoch"], r["feature"]): r["geom"] for r in read_layer_rows(features, "feature_points")}
