@@ -244,6 +244,30 @@ def horizontal_transform(layer_crs: str | None, survey_crs: str, *, source: str 
     return lambda points: apply(np.column_stack([points, np.zeros(len(points))]))[:, :2]
 
 
+def check_same_crs(layer_crs: str, expected: str, *, source: str | Path, whose: str) -> None:
+    """Refuse positions of another CRS than that of what they belong to, both as survey.toml writes them.
+
+    Heights may be of different systems only where one of the two states none.
+
+    Raises
+    ------
+    CrsError
+        They differ; ``whose`` says in words what the expected one is of.
+    """
+    if layer_crs == expected:
+        return
+    if layer_crs == LOCAL:
+        raise CrsError("has no CRS", source=source, remedy=f"{whose} is in {_short(expected)}: save the layer with its CRS.")
+    if expected != LOCAL:
+        own, other = parse_crs(layer_crs), parse_crs(expected)
+        up, other_up = _vertical(own), _vertical(other)
+        if _equal(_horizontal(own), _horizontal(other)) and (up is None or other_up is None or _equal(up, other_up)):
+            return
+    raise CrsError(
+        f"is in {_short(layer_crs)}, {whose} in {_short(expected)}", source=source, remedy="Give what was computed in the same CRS."
+    )
+
+
 def crs_text(crs: CRS | None) -> str:
     """What to write into survey.toml for a tile's CRS: a code of its horizontal part, LOCAL for a site frame, else WKT; empty for none."""
     if crs is None:

@@ -16,6 +16,7 @@ from ..common.errors import InputError
 from ..common.feedback import Feedback
 from ..common.output_files import check_targets
 from ..common.software import software_version
+from ..data.crs import check_same_crs
 from ..data.survey_keys import SECTIONS
 from ..deformation.displacement import grades_from
 from ..deformation.epoch_frames import FrameChoice
@@ -161,6 +162,8 @@ def _registered(
     feedback: Feedback,
 ) -> tuple[dict[str, RegisteredEpoch], set[str]]:
     """What ties each epoch, and the epochs whose units stay where their own file's registration put them."""
+    for path in registrations:
+        check_same_crs(crs_of_layer(path), crs_of_layer(units), source=path, whose=units.name)
     given = read_registered(registrations)
     kept = {label for label in frames if label not in given or given[label].bent or given[label].transformation is None}
     for label in sorted(kept):

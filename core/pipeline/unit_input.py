@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ..common.errors import InputError
-from ..data.crs import LOCAL
-from ..data.survey import Survey
+from ..common.feedback import Feedback
+from ..data.crs import LOCAL, check_same_crs
+from ..data.survey import Survey, SurveyUnit
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..results.geopackage_reader import crs_of, read_given_rows
+from .epoch_plans import EpochPlan
 from .given_units import GivenUnit
 from .stated_frames import is_registered, stated_frames
 
-GIVE = "Give a result of tetratrack segment, fit or run."
+GIVE = "Give a result of tetratrack segment, fit or run of this survey."
+SAME_HEIGHT = 0.03
+"""Heights that differ by a smaller share are of one size: ends of legs, 0.64 H from the centre, then stay within the 0.02 H from which
+points of a known unit are taken."""
 
 
 def read_units(path: Path) -> list[dict[str, Any]]:
@@ -46,10 +53,11 @@ def read_given_units(path: Path, survey: Survey) -> dict[str, list[GivenUnit]]:
     Raises
     ------
     InputError
-        The file has no such layer or field, or holds units of the control frame without the registration that brought them there.
+        The file has no such layer or field, another CRS, or types or heights of units that the survey does not have; or it holds units
+        of the control frame without the registration that brought them there.
     """
+    check_same_crs(crs_of_layer(path), survey.crs, source=path, whose="the survey")
     frames = stated_frames(path)
-    kinds = {unit.type.name: k for k, unit in enumerate(survey.units)}
     found: dict[str, list[GivenUnit]] = {epoch.label: [] for epoch in survey.epochs}
     for row in read_units(path):
         if row["geometry"] is None:
@@ -61,8 +69,60 @@ def read_given_units(path: Path, survey: Survey) -> dict[str, list[GivenUnit]]:
             pose = frames[row["epoch"]].in_cloud(pose)
         elif is_registered(row):
             raise InputError(f"holds units of {row['epoch']} in the control frame without their registration", source=path, remedy=GIVE)
-        found[row["epoch"]].append(_given_unit(row, kinds.get(row.get("unit_type", ""), 0), pose))
+        found[row["epoch"]].append(_given_unit(row, _kind_of(row, survey.units, path), pose))
     return found
+
+
+def _kind_of(row: Mapping[str, Any], units: Sequence[SurveyUnit], source: Path) -> int:
+    """Index of the type of a row of ``units``; of several types of one name that of the nearest height."""
+    name, height = row.get("unit_type"), row.get("height")
+    named = [k for k, unit in enumerate(units) if name == unit.type.name] if name else list(range(len(units)))
+    if not named:
+        known = ", ".join(dict.fromkeys(unit.type.name for unit in units))
+        raise InputError(f"names the type of unit {name!r}", source=source, where="layer units", remedy=f"Types of the survey: {known}.")
+    if height is None:
+        if len(named) > 1:
+            raise InputError("says of a unit neither type nor height", source=source, where="layer units", remedy=GIVE)
+        return named[0]
+    nearest = min(named, key=lambda k: abs(units[k].type.height - height))
+    expected = units[nearest].type.height
+    if abs(height - expected) > SAME_HEIGHT * expected:
+        raise InputError(
+            f"holds units of height {height:g} m, the survey has {expected:g} m",
+            source=source,
+            where="layer units, field height",
+            remedy="Correct height in survey.toml, or find the units anew (tetratrack segment).",
+        )
+    return nearest
+
+
+def check_places(
+    given: Mapping[str, Sequence[GivenUnit]], survey: Survey, plans: Sequence[EpochPlan], source: Path, feedback: Feedback
+) -> None:
+    """Refuse units none of which lies in the tiles of its epoch; of single ones that do not, say so.
+
+    Raises
+    ------
+    InputError
+        With the epoch.
+    """
+    for plan in plans:
+        units, label = given[plan.epoch.label], plan.epoch.label
+        if not units:
+            continue
+        centres = np.array([unit.pose[:3] for unit in units])
+        reach = max(unit.type.height for unit in survey.units)
+        inside = np.zeros(len(units), dtype=np.bool_)
+        for tile in plan.tiles:
+            inside |= np.all((centres > np.array(tile.low) - reach) & (centres < np.array(tile.high) + reach), axis=1)
+        if not inside.any():
+            raise InputError(
+                f"none of its {len(units)} units lies in the tiles of epoch {label}", source=source, where="layer units", remedy=GIVE
+            )
+        if not inside.all():
+            feedback.warning(
+                f"{label}: {int((~inside).sum())} of {len(units)} units of {source.name} lie outside the tiles and are left out"
+            )
 
 
 def _given_unit(row: Mapping[str, Any], kind: int, pose: Pose) -> GivenUnit:

@@ -43,7 +43,7 @@ from .local_processes import LocalProcesses, processes_for
 from .no_units import warn_of_empty
 from .run_options import RunOptions, job_runner
 from .size_check import check_sizes
-from .unit_input import crs_of_layer, read_given_units, read_units, unit_of
+from .unit_input import check_places, crs_of_layer, read_given_units, read_units, unit_of
 from .unit_table import control_rows, epoch_row, feature_rows, fitted_feature_rows, provisional_ids, unit_rows
 
 SHARES = {"read": 0.03, "fit": 0.82, "track": 0.14, "write": 0.01}
@@ -223,6 +223,8 @@ def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOption
     check_output(output)
     given = None if units is None else read_given_units(units, survey)
     plans = plan_survey(survey, feedback.part(0, 0.05))
+    if units is not None and given is not None:
+        check_places(given, survey, plans, units, feedback)
     record = record_run(survey, options.seed, {"step": "fit"})
     with job_runner(output, options, feedback) as runner:
         epochs, calibration = find_and_fit(survey, plans, record, runner, feedback.part(0.05, 0.98), given)

@@ -11,12 +11,21 @@ import sys
 import time
 from collections.abc import Callable
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import geopandas
 import pytest
 import shapely
-from tetratrack.core.pipeline.unit_input import crs_of_layer, read_units
+from tetratrack.core.common.errors import CrsError, InputError
+from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.data.crs import check_same_crs
+from tetratrack.core.data.survey_reader import read_survey
+from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.pipeline.epoch_plans import plan_survey
+from tetratrack.core.pipeline.run_options import RunOptions
+from tetratrack.core.pipeline.unit_input import check_places, crs_of_layer, read_given_units, read_units
+from tetratrack.core.pipeline.whole_survey import run_fit
 from tetratrack.core.results.geopackage_reader import read_layer_rows
 from tetratrack.scripts.cli import app
 from typer.testing import CliRunner
@@ -128,6 +137,53 @@ def test_values_that_no_fit_has(units: Path, tiny: Path, tmp_path: Path, stateme
         assert words in said
 
 
+@pytest.mark.parametrize(
+    ("statement", "words"),
+    [
+        ("UPDATE units SET unit_type = 'cube'", "names the type of unit 'cube'"),
+        ("UPDATE units SET height = height + 1", "holds units of height 3.3 m, the survey has 2.3 m"),
+        ("UPDATE gpkg_geometry_columns SET srs_id = -1", "has no CRS"),
+        ("UPDATE gpkg_spatial_ref_sys SET organization_coordsys_id = 32651 WHERE srs_id = 32650", "the survey in 'EPSG:32650'"),
+        ("UPDATE epochs SET transformation = json_set(transformation, '$.translation_m[0]', 437000)", "units lies in the tiles of epoch"),
+    ],
+)
+def test_units_that_are_not_the_surveys_are_refused(units: Path, tiny: Path, tmp_path: Path, statement: str, words: str) -> None:
+    _changed(statement)(units)
+    with pytest.raises(InputError, match=words):
+        run_fit(read_survey(tiny / "survey.toml"), units, tmp_path / "out.gpkg", RunOptions(workers=1), Feedback())
+    assert not (tmp_path / "out.gpkg").exists()
+
+
+def test_types_of_units_are_told_by_name_and_height(units: Path, tiny: Path) -> None:
+    survey = read_survey(tiny / "survey.toml")
+    large = replace(survey.units[0], type=UnitType.tetrapod(2 * survey.unit.height))
+    several = replace(survey, units=(large, *survey.units))
+    assert {unit.kind for known in read_given_units(units, several).values() for unit in known} == {1}
+    _changed("UPDATE units SET unit_type = NULL")(units)
+    assert {unit.kind for known in read_given_units(units, several).values() for unit in known} == {1}
+    _changed("UPDATE units SET height = NULL")(units)
+    with pytest.raises(InputError, match="neither type nor height"):
+        read_given_units(units, several)
+    assert {unit.kind for known in read_given_units(units, survey).values() for unit in known} == {0}
+
+
+def test_single_units_beside_the_tiles_are_named(units: Path, tiny: Path) -> None:
+    survey, said = read_survey(tiny / "survey.toml"), []
+    given = read_given_units(units, survey)
+    label = survey.epochs[0].label
+    first = given[label][0]
+    given[label][0] = first._replace(pose=(first.pose[0] + 1000.0, *first.pose[1:]))
+    check_places(given, survey, plan_survey(survey), units, Feedback(warning=said.append))
+    assert said == [f"{label}: 1 of {len(given[label])} units of units.gpkg lie outside the tiles and are left out"]
+
+
+def test_a_registration_in_another_crs_is_refused(units: Path, tmp_path: Path) -> None:
+    other = Path(shutil.copy(units, tmp_path / "other.gpkg"))
+    _changed("UPDATE gpkg_spatial_ref_sys SET organization_coordsys_id = 32651 WHERE srs_id = 32650")(other)
+    code, words = _told(["track", str(units), "--registration", str(other)], tmp_path / "out.gpkg")
+    assert (code, "other.gpkg: is in 'EPSG:32651', units.gpkg in 'EPSG:32650'" in words) == (2, True), words
+
+
 def test_a_layer_of_another_program_will_do(tmp_path: Path) -> None:
     """With nothing but epochs and rotations; heights of their own in its CRS."""
     frame = geopandas.GeoDataFrame(
@@ -140,3 +196,7 @@ def test_a_layer_of_another_program_will_do(tmp_path: Path) -> None:
     assert [row["geometry"].tolist() for row in rows] == [[500000, 4000000, 3], [500005, 4000000, 3]]
     assert [row["epoch"] for row in rows] == ["a", "a"]
     assert "EGM96" in crs_of_layer(tmp_path / "u.gpkg")
+    for crs in ("EPSG:32650", "EPSG:32650+5773"):
+        check_same_crs(crs_of_layer(tmp_path / "u.gpkg"), crs, source="u.gpkg", whose="the survey")
+    with pytest.raises(CrsError, match="the survey in"):
+        check_same_crs(crs_of_layer(tmp_path / "u.gpkg"), "EPSG:32650+3855", source="u.gpkg", whose="the survey")
