@@ -54,6 +54,14 @@ class NullModel:
         """(..., 3, 3) effective covariances."""
         return np.asarray(self.factor**2 * covariances + self.floor**2 * np.eye(3))
 
+    def covariance_of_moved(self, covariances: FloatArray, noise: FloatArray, share: float) -> FloatArray:
+        """(..., 3, 3) effective covariances of a unit that moved (``share`` 1; 0 at rest).
+
+        At rest both epochs show the same parts of a surface, whose deviations cancel further than the adjustment says. A factor below one
+        holds for a unit that moved or turned as far as its covariances are of ``noise`` alone.
+        """
+        return self.covariance(covariances) + share * max(1.0 - self.factor**2, 0.0) * (covariances - noise)
+
     @property
     def spread(self) -> float:
         """Variance of the t distribution over its squared scale: what a stated standard deviation has to hold beyond ``covariance``."""

@@ -27,6 +27,9 @@ from .congruence import NullModel, f_p_value, pooled_degrees, quadratic
 
 SIGNIFICANCE = 0.05
 POWER = 0.8
+SEEN_ALIKE = 0.005
+"""Motion, as a share of the height, by which what two epochs show of a unit's surface becomes another part of it: means of a cell agree to
+their noise where the middles of its points lie within 0.003 of the height (nine surveys of docs/benchmarks-castings.md), as at rest."""
 
 
 @dataclass(frozen=True)
@@ -82,34 +85,6 @@ class UnitMotion:
     detectable: FloatArray
 
 
-def relative_covariance(before: FeaturePoints, after: FeaturePoints, joint: FloatArray) -> FloatArray:
-    """(5, 3, 3) covariance of feature displacements from the (12, 12) covariance of both poses."""
-    rows = np.concatenate([-before.jacobian[:, :, :6], after.jacobian[:, :, :6]], axis=2)
-    return np.asarray(rows @ joint @ np.swapaxes(rows, 1, 2))
-
-
-def calibrated_joint(joint: FloatArray, turn: FloatArray, factor: float) -> FloatArray:
-    """(12, 12) covariance of both poses of a unit, of which units at rest have told the ``factor`` of its standard deviations.
-
-    They tell it of what both poses differ by, seen from the body. What both err by alike turns with the body and drops out of the
-    displacement of a unit at rest, which so knows nothing of it: of a unit that turned it is taken to be no less than its adjustment says.
-
-    Parameters
-    ----------
-    joint
-        (12, 12) from the adjustment.
-    turn
-        (3,) rotation vector from the first pose to the second, radians.
-    factor
-        Of the standard deviations of the difference.
-    """
-    alike = max(factor, 1.0)
-    turned = np.kron(np.eye(2), Rotation.from_rotvec(turn).as_matrix())
-    none = np.zeros((6, 6))
-    both = 0.5 * (alike + factor) * np.eye(12) + 0.5 * (alike - factor) * np.block([[none, turned.T], [turned, none]])
-    return np.asarray(both @ joint @ both.T)
-
-
 def turn_vector(before: Pose, after: Pose) -> FloatArray:
     """(3,) rotation vector from one pose to the other about the frame's axes, radians."""
     return np.asarray(Rotation.from_matrix(after.rotation @ before.rotation.T).as_rotvec())
@@ -160,34 +135,58 @@ class UnitPair:
     ----------
     before, after
         Feature points in the control frame less the reduction point.
-    joint
-        (12, 12) covariance of both poses.
-    turn, turn_covariance
-        (3,), (3, 3) rotation between the epochs, radians.
+    joint, noise
+        (12, 12) covariance of both poses, and what noise alone would leave of it.
+    turn, turn_covariance, turn_noise
+        (3,), (3, 3), (3, 3) rotation between the epochs, radians, and the same of it.
+    height
+        Of the unit, metres.
     """
 
     before: FeaturePoints
     after: FeaturePoints
     joint: FloatArray
+    noise: FloatArray
     turn: FloatArray
     turn_covariance: FloatArray
+    turn_noise: FloatArray
+    height: float
+
+    def covariances_of(self, poses: FloatArray) -> FloatArray:
+        """(5, 3, 3) of displacements of the features by themselves from a (12, 12) covariance of both poses."""
+        rows = np.concatenate([-self.before.jacobian[:, :, :6], self.after.jacobian[:, :, :6]], axis=2)
+        return np.asarray(rows @ poses @ np.swapaxes(rows, 1, 2))
+
+    def vectors(self, frame: FramePart) -> FloatArray:
+        """(5, 3) displacements of the features less what the frames bring into them."""
+        points = self.before.positions
+        return self.after.positions - points - frame.at(points - points[0])[0]
 
 
-def unit_motion(unit: UnitPair, null: NullModel, turn_null: NullModel, frame: FramePart) -> UnitMotion:
-    """Motion of a unit in the datum of ``frame``, with its tests; ``null`` and ``turn_null`` calibrate positions and rotations.
+def moved_share(unit: UnitPair, null: NullModel, frame: FramePart) -> float:
+    """How far a unit is from what units at rest are: 0 where no motion of its features is seen beyond what is known of them, 1 where both
+    epochs show it elsewhere or turned."""
+    known = null.spread * null.covariance(unit.covariances_of(unit.joint))
+    beyond = np.mean(np.sum(unit.vectors(frame) ** 2, axis=1) - np.trace(known, axis1=1, axis2=2))
+    return -math.expm1(-0.5 * max(float(beyond), 0.0) / (SEEN_ALIKE * unit.height) ** 2)
+
+
+def unit_motion(unit: UnitPair, null: NullModel, turn_null: NullModel, frame: FramePart, share: float) -> UnitMotion:
+    """Motion of a unit in the datum of ``frame``, with its tests; ``null`` and ``turn_null`` calibrate positions and rotations, those of a
+    unit that moved (``share``, see :func:`moved_share`) as far as units at rest can.
 
     One covariance serves standard deviation, test and detection limit: that of the unit itself and of what the others predict. Both come
     from the same t distribution, the test from its scale and its tails, the standard deviation from its variance.
     """
-    points = unit.before.positions
-    shifts, spread = frame.at(points - points[0])
-    vectors = unit.after.positions - points - shifts
+    points, vectors = unit.before.positions, unit.vectors(frame)
+    _, spread = frame.at(points - points[0])
     angle = unit.turn - frame.motion[3:]
-    own = relative_covariance(unit.before, unit.after, calibrated_joint(unit.joint, unit.turn, null.factor)) + null.floor**2 * np.eye(3)
+    own = null.covariance_of_moved(unit.covariances_of(unit.joint), unit.covariances_of(unit.noise), share)
+    own_turn = turn_null.covariance_of_moved(unit.turn_covariance, unit.turn_noise, share)
     if frame.carried is not None:
         turned = rigid_jacobian(vectors)[:, :, 3:]
         spread = spread + turned @ frame.carried[3:, 3:] @ np.swapaxes(turned, 1, 2)
-    own_turn, turn_spread = turn_null.covariance(unit.turn_covariance), frame.covariance[3:, 3:]
+    turn_spread = frame.covariance[3:, 3:]
     # the tests take a unit's own part for t distributed with that scale; what is stated is the variance of that distribution
     statistics = quadratic(vectors, own + spread) / frame.factor
     degrees = pooled_degrees(own, null.tail, spread, frame.degrees)

@@ -23,7 +23,7 @@ from .displacement import (
     UnitPair,
     adjusted_p_values,
     classify,
-    relative_covariance,
+    moved_share,
     turn_covariance,
     turn_vector,
     unit_motion,
@@ -96,7 +96,7 @@ class _Members:
 
     @property
     def covariances(self) -> FloatArray:
-        return np.array([relative_covariance(p.before, p.after, p.joint)[0] for p in self.pairs]).reshape(-1, 3, 3)
+        return np.array([p.covariances_of(p.joint)[0] for p in self.pairs]).reshape(-1, 3, 3)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -149,9 +149,10 @@ def compare_epochs(units: TrackedUnits, epochs: Sequence[TrackedEpoch], first: i
         }
         for i in range(len(members.numbers))
     ]
+    shares = [moved_share(pair, congruence.null, own["stable"]) for pair, own in zip(members.pairs, own_frames, strict=True)]
     motions = [
-        {datum: unit_motion(pair, congruence.null, turn_null, own[datum]) for datum in DATUMS}
-        for pair, own in zip(members.pairs, own_frames, strict=True)
+        {datum: unit_motion(pair, congruence.null, turn_null, own[datum], share) for datum in DATUMS}
+        for pair, own, share in zip(members.pairs, own_frames, shares, strict=True)
     ]
     return EpochPair(
         first=first, second=second, congruence=congruence, turn_null=turn_null,
@@ -167,13 +168,15 @@ def _members(units: TrackedUnits, first: int, second: int) -> _Members:
         a, b = states.get(first), states.get(second)
         if a is None or b is None or a.pose is None or b.pose is None:
             continue
-        both = joint_block(units.joint, k, units.numbers[k, first], units.numbers[k, second])
+        sightings = units.numbers[k, first], units.numbers[k, second]
+        both, noise = joint_block(units.joint, k, *sightings), joint_block(units.joint, k, *sightings, of_noise=True)
         shape = unit_shape(units.types[units.tracks[k].kind], a.scale)
         numbers.append(k)
         pairs.append(
             UnitPair(
-                before=feature_points(a.pose, shape), after=feature_points(b.pose, shape), joint=both,
+                before=feature_points(a.pose, shape), after=feature_points(b.pose, shape), joint=both, noise=noise,
                 turn=turn_vector(a.pose, b.pose), turn_covariance=turn_covariance(a.pose, b.pose, both),
+                turn_noise=turn_covariance(a.pose, b.pose, noise), height=shape.height,
             )
         )  # fmt: skip
         certain.append("uncertain" not in (a.status, b.status) and not (a.held or b.held))
@@ -244,11 +247,11 @@ def _classified(
     )
 
 
-def joint_block(joint: JointAdjustment, unit: int, *sightings: int) -> FloatArray:
-    """(6 k, 6 k) covariance of the poses of k sightings of a unit."""
-    order = joint.order[unit]
+def joint_block(joint: JointAdjustment, unit: int, *sightings: int, of_noise: bool = False) -> FloatArray:
+    """(6 k, 6 k) covariance of the poses of k sightings of a unit, or what noise alone would leave of it."""
+    order, covariances = joint.order[unit], joint.noise_covariances if of_noise else joint.covariances
     index = np.concatenate([6 * order.index(n) + np.arange(6) for n in sightings])
-    return np.asarray(joint.covariances[unit][np.ix_(index, index)])
+    return np.asarray(covariances[unit][np.ix_(index, index)])
 
 
 def unit_shape(unit: UnitType, scale: float) -> UnitType:

@@ -53,6 +53,8 @@ class JointAdjustment:
     covariances
         By unit: (6 k, 6 k) covariance of the poses of its k sightings, in the order of ``order[unit]``; e, n, h, w_e, w_n, w_h
         each. It holds noise, surface deviations and offsets.
+    noise_covariances
+        By unit: what would be left of its covariance if its surface and the offsets were known, which is noise alone.
     order
         By unit: indices of its sightings, by epoch.
     offsets
@@ -76,6 +78,7 @@ class JointAdjustment:
 
     poses: tuple[Pose, ...]
     covariances: dict[int, FloatArray]
+    noise_covariances: dict[int, FloatArray]
     order: dict[int, tuple[int, ...]]
     offsets: dict[tuple[int, int], FloatArray]
     offset_sds: dict[tuple[int, int], FloatArray]

@@ -241,16 +241,18 @@ class _JointSolver:
             )
             cells.append(sums)
         found = surface.reduced(unit, normal, rhs, cells, tied)
-        normal, rhs = found.normal, found.rhs
+        known, normal, rhs = normal, found.normal, found.rhs
         mean, sd = (surface.model.size_mean, surface.model.size_sd) if self.scale_sd is None else (0.0, max(self.scale_sd, 1e-9))
-        normal[n_pose, n_pose] += 1 / sd**2
         rhs[n_pose] -= (self.scales[unit] - mean) / sd**2
-        own = n_pose + 1
-        inverse = _inverse(normal[:own, :own], self.sightings[members[0]].shape.leg_length)
+        own, length = n_pose + 1, self.sightings[members[0]].shape.leg_length
+        for equations in (known, normal):
+            equations[n_pose, n_pose] += 1 / sd**2
+        inverse, if_known = (_inverse(equations[:own, :own], length) for equations in (normal, known))
         # copies: a view would keep the whole of the unit's equations in memory
         coupling = normal[:own, own:].copy()
         block = UnitBlock(
             inverse_upper=inverse[upper_triangle(own)],
+            known_upper=if_known[upper_triangle(own)],
             coupling=coupling,
             rhs=rhs[:own].copy(),
             strips=touched,
@@ -270,6 +272,7 @@ class _JointSolver:
             return JointAdjustment(
                 poses=(),
                 covariances={},
+                noise_covariances={},
                 order={},
                 offsets={},
                 offset_sds={},
@@ -445,6 +448,7 @@ class _JointSolver:
         return JointAdjustment(
             poses=tuple(poses),
             covariances=covariances,
+            noise_covariances={unit: block.noise_covariance[:-1, :-1] for unit, block in blocks.items()},
             order=self.order,
             offsets={key: self.values.offsets[k] for key, k in self.strips.items()},
             offset_sds={key: strips.offset_sds()[k] for key, k in self.strips.items()},

@@ -14,9 +14,11 @@ from .strip_drifts import GAUGE_WEIGHT, DriftSystem, StripDrifts, symmetric
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class UnitBlock:
-    """One unit in the normal equations: inverse of its block, coupling to its strips, right-hand side, and what is left for the strips."""
+    """One unit in the normal equations: inverse of its block, the same were its surface known, coupling to its strips, right-hand side, and
+    what is left for the strips."""
 
     inverse_upper: FloatArray
+    known_upper: FloatArray
     coupling: FloatArray
     rhs: FloatArray
     strips: IntArray
@@ -27,6 +29,11 @@ class UnitBlock:
     def inverse(self) -> FloatArray:
         """Inverse of the unit's own block."""
         return symmetric(self.inverse_upper, len(self.rhs))
+
+    @property
+    def noise_covariance(self) -> FloatArray:
+        """Of the unit's poses and its size, were its surface and the strips known."""
+        return symmetric(self.known_upper, len(self.rhs))
 
     @property
     def strip_normal(self) -> FloatArray:

@@ -283,6 +283,7 @@ def _as_fitted(seen: Sequence[dict[int, FittedUnit]], numbers: dict[tuple[int, i
     return JointAdjustment(
         poses=poses,
         covariances=covariances,
+        noise_covariances=covariances,
         order=order,
         offsets={},
         offset_sds={},

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
+from tetratrack.core.deformation.displacement import UnitPair
+from tetratrack.core.model.feature_points import feature_points
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
@@ -14,6 +16,15 @@ from tetratrack.core.model.unit_types import UnitType
 FloatArray = NDArray[np.float64]
 UNIT = UnitType.tetrapod(2.3)
 ALL_DISCS = np.ones(4, dtype=np.bool_)
+
+
+def unturned_pair(poses: tuple[Pose, Pose], unit: UnitType, joint: FloatArray) -> UnitPair:
+    """A unit that kept its attitude, with the (12, 12) covariance of both poses, all of it of noise."""
+    before, after = (feature_points(pose, unit) for pose in poses)
+    return UnitPair(
+        before=before, after=after, joint=joint, noise=joint,
+        turn=np.zeros(3), turn_covariance=np.eye(3), turn_noise=np.eye(3), height=unit.height,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)

@@ -44,7 +44,7 @@ def tracked(shift: np.ndarray, turn: np.ndarray, open_shift: bool = True, open_t
         for e in (0, 1)
     }  # fmt: skip
     track = Track(kind=0, rows={0: 0, 1: 0}, symmetries={}, ambiguous=frozenset())
-    joint = cast(JointAdjustment, SimpleNamespace(covariances={0: both}, order={0: (0, 1)}))
+    joint = cast(JointAdjustment, SimpleNamespace(covariances={0: both}, noise_covariances={0: both}, order={0: (0, 1)}))
     return TrackedUnits(types=[UNIT], tracks=[track], states=[states], joint=joint, numbers={(0, 0): 0, (0, 1): 1})
 
 

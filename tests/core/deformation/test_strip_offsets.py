@@ -98,16 +98,23 @@ def castings(seed: int, count: int) -> tuple[list[Pose], JointAdjustment]:
 
 
 def test_the_density_of_a_cloud_does_not_make_a_casting_surer_than_its_shape_allows() -> None:
-    """Legs that lean make slopes within cells, of which a dense cloud has many points: they tell of the casting as well as of its pose."""
-    sds, forms = [], []
+    """Legs that lean make slopes within cells, of which a dense cloud has many points: they tell of the casting as well as of its pose.
+
+    What noise alone would leave shrinks with the number of points.
+    """
+    sds, forms, noises = [], [], []
     for count in (1000, 16000):
         poses, joint = castings(3, count)
         turns = [Rotation.from_matrix(found.rotation @ true.rotation.T).as_rotvec() for found, true in zip(joint.poses, poses, strict=True)]
         spreads = [joint.covariances[unit][3:, 3:] for unit in range(len(poses))]
         sds.append(np.median([np.sqrt(np.trace(c)) for c in spreads]))
         forms.append(np.median([t @ np.linalg.solve(c, t) / 3 for t, c in zip(turns, spreads, strict=True)]))
+        parts = [joint.noise_covariances[unit] for unit in range(len(poses))]
+        noises.append(np.median([np.trace(part[:3, :3]) for part in parts]))
+        assert all(np.linalg.eigvalsh(joint.covariances[k] - part).min() > -1e-12 for k, part in enumerate(parts))
     assert sds[1] > 0.8 * sds[0]
     assert max(forms) < 2.0
+    assert noises[1] == pytest.approx(noises[0] / 16, rel=0.2)
 
 
 def test_the_end_of_a_short_leg_is_seen_where_it_is() -> None:

@@ -43,7 +43,8 @@ def survey(seed: int, shared_sd: float, acceleration: float = 0.0, tail: float =
     numbers = {(unit, epoch): EPOCHS * unit + epoch for unit in range(UNITS) for epoch in range(EPOCHS)}
     order = {unit: tuple(numbers[unit, epoch] for epoch in range(EPOCHS)) for unit in range(UNITS)}
     joint = JointAdjustment(
-        poses=tuple(poses), covariances=dict.fromkeys(order, covariance), order=order, offsets={}, offset_sds={},
+        poses=tuple(poses), covariances=dict.fromkeys(order, covariance), noise_covariances=dict.fromkeys(order, covariance),
+        order=order, offsets={}, offset_sds={},
         scales=dict.fromkeys(order, 0.0), scale_sds=dict.fromkeys(order, 0.001), noise=np.full(EPOCHS, 0.005), surface_sd=0.002,
         used=np.full(len(poses), 100),
     )  # fmt: skip
