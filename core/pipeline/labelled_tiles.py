@@ -24,7 +24,8 @@ from ..model.unit_types import UnitType
 from ..registration.frame_correction import FrameCorrection
 from ..registration.transformation import transformation_of
 from ..results.geopackage_reader import Row, read_layer_rows
-from ..results.unit_rows import EpochInfo, epochs_of, unit_sizes
+from ..results.run_record import epochs_of
+from ..results.unit_rows import EpochInfo, unit_sizes
 from ..results.unit_sizes import unit_of
 from ..segmentation.aggregation import assign
 from .epoch_plans import plan_survey

@@ -27,7 +27,8 @@ from ..registration.frame_correction import FrameCorrection
 from ..registration.transformation import Transformation, mean_offset_variance, transformation_of
 from ..results.field_checks import foreign_contents
 from ..results.geopackage_reader import read_layer_rows
-from ..results.unit_rows import EpochInfo, epochs_of, read_epochs, unit_sizes
+from ..results.run_record import epochs_of
+from ..results.unit_rows import EpochInfo, read_epochs, unit_sizes
 from ..results.unit_sizes import unit_of
 from ..review.corrections import set_pose
 from ..review.point_index import PointIndex, index_folder, write_index

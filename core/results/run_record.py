@@ -11,10 +11,14 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
+from ..common.errors import InputError
 from ..common.software import code_fingerprint, software_version
 from ..data.las_files import checksum
 from ..data.survey import Epoch, Survey
 from .schema import FORMAT_VERSION
+from .unit_rows import EpochInfo, read_epochs
+
+GIVE = "Give the survey.toml this result was computed from."
 
 LIBRARIES = ("numpy", "scipy", "numba", "open3d", "laspy", "lazrs", "pyproj")
 """Libraries whose version can change a result."""
@@ -78,6 +82,39 @@ def record_run(survey: Survey, seed: int, settings: Mapping[str, Any]) -> RunRec
     if survey.moulds:
         settings = {**settings, "moulds": [{"name": path.name, "sha256": checksums[path]} for path in survey.moulds]}
     return RunRecord(checksums, seed, settings)
+
+
+def epochs_of(survey: Survey, path: Path) -> dict[str, EpochInfo]:
+    """Epochs of a result by label, all of the survey's among them, from the same tiles.
+
+    Results of earlier versions that do not record their inputs are taken by their labels.
+
+    Raises
+    ------
+    InputError
+        Survey and result do not belong together.
+    """
+    infos = {info.label: info for info in read_epochs(path)}
+    missing = [epoch.label for epoch in survey.epochs if epoch.label not in infos]
+    if missing:
+        raise InputError(f"has no epoch {missing[0]}", source=path, remedy=GIVE)
+    for epoch in survey.epochs:
+        used = {record["sha256"]: record["name"] for record in infos[epoch.label].settings.get("inputs", [])}
+        if not used:
+            continue
+        with ThreadPoolExecutor(4) as pool:
+            sums = dict(zip(epoch.tiles, pool.map(checksum, epoch.tiles), strict=True))
+        foreign = next((tile for tile, found in sums.items() if found not in used), None)
+        if foreign is not None:
+            raise InputError(f"was not computed from {foreign}", source=path, where=f"epoch {epoch.label}", remedy=GIVE)
+        endings = {tile.suffix.lower() for tile in epoch.tiles}
+        others = {found: name for found, name in used.items() if Path(name).suffix.lower() in endings}
+        absent = next((name for found, name in others.items() if found not in set(sums.values())), None)
+        if absent is not None:
+            raise InputError(
+                f"was computed from {absent} too, which the survey does not have", source=path, where=f"epoch {epoch.label}", remedy=GIVE
+            )
+    return infos
 
 
 def library_versions() -> dict[str, str]:

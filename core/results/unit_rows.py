@@ -22,7 +22,7 @@ from .schema import DATUMS
 from .unit_sizes import UnitSize, shape_of, sizes_of_settings
 
 if TYPE_CHECKING:
-    from ..data.survey import Survey
+    pass
 
 
 Z_95 = 1.959963985
@@ -214,21 +214,6 @@ def read_epochs(path: Path) -> tuple[EpochInfo, ...]:
         for row in rows
     ]
     return tuple(sorted(infos, key=lambda info: (info.time is None, info.time.timestamp() if info.time else 0.0)))
-
-
-def epochs_of(survey: Survey, path: Path) -> dict[str, EpochInfo]:
-    """Epochs of a result by label, all of the survey's among them.
-
-    Raises
-    ------
-    InputError
-        Survey and result do not belong together.
-    """
-    infos = {info.label: info for info in read_epochs(path)}
-    missing = [epoch.label for epoch in survey.epochs if epoch.label not in infos]
-    if missing:
-        raise InputError(f"has no epoch {missing[0]}", source=path, remedy="Give the survey.toml this result was computed from.")
-    return infos
 
 
 def datums(path: Path, pair: EpochPair) -> tuple[str, ...]:

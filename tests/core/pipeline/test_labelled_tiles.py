@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import sqlite3
 from contextlib import closing
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import laspy
@@ -16,6 +17,7 @@ from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.labelled_tiles import write_labelled_tiles
+from tetratrack.core.pipeline.refit import index_unit_points
 from tetratrack.core.results.unit_rows import read_epochs
 
 
@@ -73,3 +75,29 @@ def test_tiles_of_another_survey_are_refused(tiny: Path, result: Path, tmp_path:
     with pytest.raises(InputError, match="has no epoch 2023-01-01"):
         write_labelled_tiles(read_survey(other), result, tmp_path / "labelled", Feedback())
     assert not (tmp_path / "labelled").exists()
+
+
+def test_other_tiles_of_the_same_epochs_are_refused(tiny: Path, result: Path, tmp_path: Path):
+    survey = read_survey(tiny / "survey.toml")
+    first = survey.epochs[0]
+    changed = tmp_path / first.tiles[0].name
+    changed.write_bytes(first.tiles[0].read_bytes() + b" ")
+    for tiles, words in (
+        ((changed, *first.tiles[1:]), f"epoch {first.label}: was not computed from {changed}. Give the survey.toml this result"),
+        ((*first.tiles, changed), f"was not computed from {changed}"),
+    ):
+        other = replace(survey, epochs=(replace(first, tiles=tiles), *survey.epochs[1:]))
+        for step in (
+            lambda: write_labelled_tiles(other, result, tmp_path / "labelled", Feedback()),  # noqa: B023 - called at once
+            lambda: index_unit_points(other, result, Feedback()),  # noqa: B023
+        ):
+            with pytest.raises(InputError, match=re.escape(words)):
+                step()
+    assert not (tmp_path / "labelled").exists()
+    more = tmp_path / "more.gpkg"
+    shutil.copy(result, more)
+    with closing(sqlite3.connect(more)) as connection, connection:
+        added = 'json_insert(settings, \'$.inputs[#]\', json(\'{"name": "b.laz", "sha256": "00"}\'))'
+        connection.execute(f"UPDATE epochs SET settings = {added}")  # noqa: S608 - constants
+    with pytest.raises(InputError, match=r"was computed from b\.laz too"):
+        index_unit_points(survey, more, Feedback())
