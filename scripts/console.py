@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import math
 import os
 import re
 import signal
@@ -91,7 +92,7 @@ class Console:
         if self.json_progress:
             self._json(event="result", outputs=outputs)
             return
-        self._write_log("result " + json.dumps(outputs))
+        self._write_log("result " + _as_json(outputs))
         document = outputs.pop("document", None)
         if document is not None:
             # nothing else on standard output, so that it can be sent into a file
@@ -176,7 +177,7 @@ class Console:
 
     def _json(self, **event: Any) -> None:
         unicode = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "") == "utf8"
-        self._print(json.dumps(event, ensure_ascii=not unicode))
+        self._print(_as_json(event, ensure_ascii=not unicode))
 
     @staticmethod
     def _print(text: str, *, errors: bool = False, end: str = "\n") -> None:
@@ -300,6 +301,19 @@ def _interrupts_go_to(console: Console) -> dict[signal.Signals, Any]:
 
     heard = [number for number in (signal.SIGTERM, signal.SIGINT) if signal.getsignal(number) not in (signal.SIG_IGN, None)]
     return {number: signal.signal(number, interrupt) for number in heard}
+
+
+def _as_json(values: dict[str, Any], **how: bool) -> str:
+    """JSON, which knows no nan and no infinity: null stands for them."""
+    return json.dumps(_finite(values), allow_nan=False, **how)  # type: ignore[arg-type]
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    if isinstance(value, dict):
+        return {name: _finite(part) for name, part in value.items()}
+    return [_finite(part) for part in value] if isinstance(value, list | tuple) else value
 
 
 def _short(value: Any) -> str:

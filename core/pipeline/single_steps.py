@@ -40,6 +40,11 @@ def run_validate(features: Path, check: Path, picks: Path | None, epoch: str | N
         Result with the layer ``check_residuals``.
     feedback
         Messages and cancelling.
+
+    Raises
+    ------
+    InputError
+        A file cannot be used, no check point lies at a feature point, or no pick is of a check point; nothing is written then.
     """
     from ..deformation.validation import check_residuals, read_check, read_picks, residual_rows, summarise
 
@@ -69,19 +74,23 @@ def run_validate(features: Path, check: Path, picks: Path | None, epoch: str | N
             "holds no unit with centre and joints", source=features, remedy="Give a result of tetratrack features, fit or run."
         )
     residuals = check_residuals(read_check(check), points, float(np.median(arms)) / UnitType.tetrapod(1.0).crotch_distance, label)
-    write_result(output, crs, {"check_residuals": residual_rows(residuals)})
     lengths = [r.length for r in residuals if r.difference is not None]
     if not lengths:
         raise InputError("matches no feature point", source=check, remedy="Check the CRS, and that the epoch is the right one.")
+    by_hand = {} if picks is None else read_picks(picks)
+    away = [float(np.linalg.norm(by_hand[key] - r.position)) for r in residuals if (key := (r.point_id, label)) in by_hand]
+    if picks is not None and not away:
+        epochs = ", ".join(dict.fromkeys(epoch for _, epoch in by_hand)) or "none"
+        raise InputError(f"holds no check point of epoch {label}", source=picks, remedy=f"It holds points of: {epochs}.")
+    write_result(output, crs, {"check_residuals": residual_rows(residuals)})
     found: dict[str, Any] = {"output": str(output), "points": len(lengths), "rmse": math.sqrt(sum(v**2 for v in lengths) / len(lengths))}
     fitted = summarise(lengths)
     feedback.info(
         f"{fitted.count} of {len(residuals)} check points: mean {1000 * fitted.mean_absolute:.1f} mm, "
         f"largest {1000 * fitted.maximum:.1f} mm"
     )
-    if picks is not None:
-        by_hand = read_picks(picks)
-        manual = summarise([float(np.linalg.norm(by_hand[key] - r.position)) for r in residuals if (key := (r.point_id, label)) in by_hand])
+    if away:
+        manual = summarise(away)
         feedback.info(f"{manual.count} manual picks: mean {1000 * manual.mean_absolute:.1f} mm, largest {1000 * manual.maximum:.1f} mm")
         found |= {"manual_mean": manual.mean_absolute, "manual_maximum": manual.maximum}
     return found

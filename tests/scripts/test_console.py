@@ -97,3 +97,9 @@ def test_letters_outside_the_code_page_do_not_end_a_run(monkeypatch: pytest.Monk
     lines = page.buffer.getvalue().decode("cp1252").splitlines()  # type: ignore[attr-defined]
     assert "\\u6ce2\\u6d6a.gpkg" in lines[0]
     assert json.loads(lines[1])["outputs"]["output"] == "波浪.gpkg"
+
+
+def test_numbers_that_json_does_not_know_are_null(capsys: pytest.CaptureFixture[str]) -> None:
+    Console(json_progress=True).result({"mean": float("nan"), "rows": [{"sd": float("inf")}], "count": 3})
+    event = json.loads(capsys.readouterr().out, parse_constant=lambda name: pytest.fail(f"{name} is not JSON"))
+    assert event["outputs"] == {"mean": None, "rows": [{"sd": None}], "count": 3}

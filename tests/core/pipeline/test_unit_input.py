@@ -177,6 +177,31 @@ def test_single_units_beside_the_tiles_are_named(units: Path, tiny: Path) -> Non
     assert said == [f"{label}: 1 of {len(given[label])} units of units.gpkg lie outside the tiles and are left out"]
 
 
+@pytest.mark.parametrize(
+    ("check", "picks", "words"),
+    [
+        ("P1,0,0,0,0,0,0,0.01", None, "matches no feature point"),
+        (None, "no table", "line 2"),
+        (None, "P1,2001-01-01,0,0,0", "It holds points of: 2001-01-01"),
+    ],
+)
+def test_nothing_is_written_before_all_is_checked(
+    units: Path, tiny: Path, tmp_path: Path, check: str | None, picks: str | None, words: str
+) -> None:
+    surveyed = next(tiny.glob("check_*.csv"))
+    arguments = ["validate", str(units), "--epoch", surveyed.stem[-10:], "--check", str(surveyed)]
+    if check is not None:
+        arguments[-1] = str(tmp_path / "check.csv")
+        header = surveyed.read_text(encoding="utf-8").splitlines()[0]
+        (tmp_path / "check.csv").write_text(f"{header}\n{check}\n", encoding="utf-8")
+    if picks is not None:
+        (tmp_path / "picks.csv").write_text(f"point_id,epoch,easting,northing,height\n{picks}\n", encoding="utf-8")
+        arguments += ["--picks", str(tmp_path / "picks.csv")]
+    code, said = _told(arguments, tmp_path / "out.gpkg")
+    assert (code, words in said) == (2, True), said
+    assert not (tmp_path / "out.gpkg").exists()
+
+
 def test_a_registration_in_another_crs_is_refused(units: Path, tmp_path: Path) -> None:
     other = Path(shutil.copy(units, tmp_path / "other.gpkg"))
     _changed("UPDATE gpkg_spatial_ref_sys SET organization_coordsys_id = 32651 WHERE srs_id = 32650")(other)
