@@ -39,6 +39,17 @@ def given_survey(places: Sequence[Path], given: Given, output: Path, feedback: F
         if len(places) > 1 or first.is_dir() or first.suffix.lower() in CLOUDS:
             check_output(output)
             return survey_of_tiles(places, given, output.with_suffix(".toml"), feedback.part(0, 0.05))
+    return stated_survey(first, given)
+
+
+def stated_survey(path: Path, given: Given) -> Survey:
+    """The survey of a file, which says all itself.
+
+    Raises
+    ------
+    InputError
+        The file is wrong, or something is given that it says.
+    """
     if given.height is not None or given.crs is not None:
-        raise InputError("--crs and --height are for folders", source=first, remedy="Write them into the file.")
-    return read_survey(first)
+        raise InputError("--crs and --height are for folders without a survey.toml", source=path, remedy="Write them into the file.")
+    return read_survey(path)

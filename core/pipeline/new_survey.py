@@ -22,7 +22,7 @@ from ..data.survey_draft import FIRST_LINE, DraftEpoch, DraftUnit, SurveyDraft, 
 from ..data.survey_reader import read_survey
 from ..data.tiles import TileInfo
 from .drafted_units import counted, draft_units
-from .given_survey import Given
+from .given_survey import Given, stated_survey
 
 LEAST_OVERLAP = 0.05
 """Share of the smaller extent that two epochs must have in common to be compared."""
@@ -326,7 +326,7 @@ def survey_of_tiles(places: Sequence[Path], given: Given, target: Path, feedback
     own = places[0] / "survey.toml"
     if len(places) == 1 and own.is_file():
         feedback.info(f"taking {own}")
-        return read_survey(own)
+        return stated_survey(own, given)
     stated = next((place for place in places if place.suffix.lower() == ".toml"), None)
     if stated is not None:
         raise InputError("is a survey among other inputs", source=stated, remedy="Give the survey file alone, or tiles and folders.")

@@ -70,6 +70,14 @@ def test_a_missing_crs_is_asked_for(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a_20240409.laz"]
 
 
+def test_a_folder_with_its_own_survey_says_all_itself(tmp_path: Path) -> None:
+    own = tmp_path / "survey.toml"
+    own.write_text("[survey]\n", encoding="utf-8")
+    for option in (["--height", "4.4"], ["--crs", "EPSG:32651"]):
+        told = CliRunner().invoke(app, ["run", str(tmp_path), *option, "--output", str(tmp_path / "result.gpkg")])
+        assert (told.exit_code, f"{own}: --crs and --height are for folders without" in told.stderr) == (2, True), told.output
+
+
 def test_a_crs_given_for_tiles_without_one(tmp_path: Path) -> None:
     write_las(tmp_path / "a_20240409.laz", grid_points(), crs=None)
     data = tomllib.loads(_init(tmp_path, "--crs", "EPSG:32650", "--height", 2.3)[0])
