@@ -31,7 +31,7 @@ Output = Annotated[Path, typer.Option("--output", "-o", help="File to write", sh
 Workers = Annotated[int, typer.Option("--workers", "-j", min=0, help="Local processes; 0 takes one per core")]
 Scheduler = Annotated[str | None, typer.Option("--scheduler", help="Address of a dask scheduler, e.g. tcp://host:8786")]
 Resume = Annotated[bool, typer.Option("--resume", help="Keep finished blocks in OUTPUT.jobs/ and use those of an interrupted run")]
-Seed = Annotated[int, typer.Option("--seed", help="Seed of the random draws")]
+Seed = Annotated[int, typer.Option("--seed", min=0, max=2**63 - 1, help="Seed of the random draws")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but the result and errors")]
 LogFile = Annotated[Path | None, typer.Option("--log-file", help="Append every line with its time to this file")]
 JsonProgress = Annotated[bool, typer.Option("--json-progress", help="One JSON object a line on standard output, for other programs")]

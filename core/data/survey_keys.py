@@ -202,6 +202,23 @@ def template() -> str:
     return "\n".join(lines)
 
 
+def check_number(section: str, name: str, value: float) -> None:
+    """Refuse a number that a key cannot have, wherever it comes from.
+
+    Raises
+    ------
+    InputError
+        With the key in ``where``; a length that is too great is asked whether it is in millimetres.
+    """
+    key = SECTIONS[section][name]
+    if math.isfinite(value) and key.least < value <= key.most:
+        return
+    limits = f"above {key.least:g}" if math.isinf(key.most) else f"above {key.least:g} and at most {key.most:g}"
+    metres = key.unit == "metres" and math.inf > value > key.most
+    likely = f"Is it in millimetres? Then write {value / 1000:g}." if metres else f"It is in {key.unit}." if key.unit else ""
+    raise InputError(f"{name} must be a number {limits}, not {value!r}", where=name, remedy=likely)
+
+
 def unit_from_keys(values: Mapping[str, Any]) -> UnitType:
     """Unit type from the values of the keys of section [unit]; None stands for an absent key.
 
@@ -210,6 +227,9 @@ def unit_from_keys(values: Mapping[str, Any]) -> UnitType:
     InputError
         With the key in ``where``.
     """
+    for key in ("height", "radius", "gradient", "leg_length"):
+        if values[key] is not None:
+            check_number("unit", key, values[key])
     name: str = values["type"]
     named = catalogue_unit(name)
     if named is None and name.strip().lower() != "tetrapod":

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import math
 import re
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
@@ -18,7 +17,7 @@ from .crs import LOCAL, check_survey_crs
 from .file_patterns import MAGIC, BrokenLink, existing_path, matching_files
 from .mould_files import moulded
 from .survey import Epoch, LayerFile, Ring, Survey, SurveyUnit
-from .survey_keys import LONGEST_NAME, REPEATED, REQUIRED, SECTIONS, is_name, is_place, unit_from_keys
+from .survey_keys import LONGEST_NAME, REPEATED, REQUIRED, SECTIONS, check_number, is_name, is_place, unit_from_keys
 from .virtual_clouds import expanded
 
 BACKSLASHES = "In double quotes a backslash begins a special sign: write / instead of \\, or put the path in single quotes."
@@ -149,11 +148,10 @@ class _Reader:
         if key.kind == "choice" and value not in key.choices:
             raise self._error(section, index, name, f"{name} must be one of {', '.join(key.choices)}, not {value!r}")
         if key.kind == "number":
-            if not (math.isfinite(value) and key.least < value <= key.most):
-                limits = f"above {key.least:g}" if math.isinf(key.most) else f"above {key.least:g} and at most {key.most:g}"
-                metres = key.unit == "metres" and math.inf > value > key.most
-                likely = f"Is it in millimetres? Then write {value / 1000:g}." if metres else f"It is in {key.unit}." if key.unit else ""
-                raise self._error(section, index, name, f"{name} must be a number {limits}, not {value!r}", likely)
+            try:
+                check_number(section, name, value)
+            except InputError as error:
+                raise self._error(section, index, name, error.problem, error.remedy) from None
             return float(value)
         if key.kind == "time":
             if not isinstance(value, datetime) or value.tzinfo is None:

@@ -10,16 +10,27 @@ from pathlib import Path
 from ..common.errors import InputError
 from ..common.feedback import Feedback
 from ..data.survey import Survey
+from ..data.survey_keys import check_number
 from ..data.survey_reader import read_survey
 
 
 @dataclass(frozen=True, kw_only=True)
 class Given:
-    """What the user says instead of the files; None where nothing."""
+    """What the user says instead of the files; None where nothing.
+
+    Raises
+    ------
+    InputError
+        No unit has such a height.
+    """
 
     height: float | None = None
     crs: str | None = None
     name: str | None = None
+
+    def __post_init__(self) -> None:
+        if self.height is not None:
+            check_number("unit", "height", self.height)
 
 
 def given_survey(places: Sequence[Path], given: Given, output: Path, feedback: Feedback) -> Survey:

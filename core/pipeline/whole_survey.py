@@ -19,8 +19,10 @@ from ..common.feedback import Feedback
 from ..common.kernels import threads_of_kernels
 from ..common.output_files import check_targets
 from ..data.survey import Survey
+from ..data.survey_keys import check_number
 from ..model.feature_points import FEATURES
 from ..model.pose import Pose
+from ..model.unit_types import UnitType
 from ..registration.control import Registration
 from ..results.field_checks import foreign_contents
 from ..results.geopackage_reader import table_names
@@ -88,8 +90,15 @@ def run_features(
 
     With ``end_discs`` the centres of the legs' end discs as well; ``leg_length`` (metres) is that given, else that of the run, or of
     standard proportions where the file is no result.
+
+    Raises
+    ------
+    InputError
+        The layer cannot be used, or no unit of it can have such legs.
     """
     check_targets([(output, "the result")], [units])
+    if leg_length is not None:
+        check_number("unit", "leg_length", leg_length)
     check_output(output)
     is_result = table_names(units, ("units",)) >= set(REQUIRED)
     sizes = unit_sizes(read_epochs(units)) if end_discs and is_result else ()
@@ -104,13 +113,21 @@ def run_features(
         with foreign_contents(units):
             unit = unit_of(row, units)
             if end_discs:
-                unit = replace(unit, leg_length=leg_length or size_of(row, sizes).leg_length)
+                unit = _with_legs(unit, leg_length) if leg_length is not None else replace(unit, leg_length=size_of(row, sizes).leg_length)
             covariance = from_upper_triangle(row["covariance"]) if row.get("covariance") else None
             name, epoch, time = str(row["unit_id"]), str(row["epoch"]), row.get("epoch_time")
             unseen = [None] * len(FEATURES)
             tables["feature_points"] += feature_rows(name, epoch, time, pose, unit, covariance, unseen, end_discs=end_discs)
     write_result(output, crs_of_layer(units), tables)
     return {"output": str(output), "features": len(tables["feature_points"])}
+
+
+def _with_legs(unit: UnitType, leg_length: float) -> UnitType:
+    """The unit with legs of a length that the user gave, metres."""
+    try:
+        return replace(unit, leg_length=leg_length)
+    except ValueError as error:
+        raise InputError(str(error), where="--leg-length", remedy=f"Units here are {unit.height:g} m high.") from error
 
 
 def run_survey(

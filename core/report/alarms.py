@@ -20,6 +20,8 @@ from ..results.unit_rows import UnitRow, over, read_unit_rows
 from ..review.decisions import read_reviews, rejected_units
 from .result_choice import choose_pair
 
+HIGHEST_THRESHOLD = 10.0
+"""Metres, as of the grades in survey.toml: a threshold above it was meant in millimetres."""
 COLUMNS = (
     "unit_id",
     "class",
@@ -66,10 +68,13 @@ def write_alarms(
     Raises
     ------
     InputError
-        The result has no such pair, or the output's ending is another.
+        The result has no such pair, the threshold is none, or the output's ending is another.
     OutputError
         The file cannot be written.
     """
+    if not 0 <= threshold <= HIGHEST_THRESHOLD:
+        likely = f"Is it in millimetres? Then write {threshold / 1000:g}." if threshold > 0 else ""
+        raise InputError(f"threshold must be from 0 to {HIGHEST_THRESHOLD:g} metres, not {threshold:g}", remedy=likely)
     with foreign_contents(result):
         return _write_alarms(result, output, threshold, pair, datum, separator)
 

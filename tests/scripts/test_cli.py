@@ -203,6 +203,30 @@ def test_a_simulated_unit_of_the_usual_height_has_the_shape_that_is_told(
     assert {key: unit[key] for key in expected} == expected
 
 
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["plan", "--density", "500", "--noise", "0.01", "--height", "2300"], "Is it in millimetres? Then write 2.3."),
+        (["simulate", "-o", "SITE/made", "--height", "2300"], "Is it in millimetres? Then write 2.3."),
+        (["simulate", "-o", "SITE/made", "--radius", "608"], "Is it in millimetres? Then write 0.608."),
+        (["init", "SITE", "--height", "2300"], "Is it in millimetres? Then write 2.3."),
+        (["run", "SITE/tiles", "--height", "2300", "-o", "SITE/r.gpkg"], "Is it in millimetres? Then write 2.3."),
+        (
+            ["features", "SITE/r.gpkg", "--end-discs", "--leg-length", "1481", "-o", "SITE/f.gpkg"],
+            "Is it in millimetres? Then write 1.481.",
+        ),
+        (["alarms", "SITE/r.gpkg", "--threshold", "100", "-o", "SITE/a.csv"], "Is it in millimetres? Then write 0.1."),
+        (["simulate", "-o", "SITE/made", "--seed", "99999999999999999999999"], "Invalid value for '--seed'"),
+        (["simulate", "-o", "SITE/made", "--seed", "-1"], "Invalid value for '--seed'"),
+    ],
+)
+def test_options_have_the_bounds_of_the_survey_file(site: Path, arguments: list[str], words: str) -> None:
+    before = sorted(site.rglob("*"))
+    told = CliRunner().invoke(app, [text.replace("SITE", str(site)) for text in arguments])
+    assert (told.exit_code, words in told.stderr) == (2, True), told.output
+    assert sorted(site.rglob("*")) == before
+
+
 def test_inspect(site: Path) -> None:
     index = site / "out" / "tiles.gpkg"
     result = CliRunner().invoke(app, ["inspect", str(site / "tiles" / "good.laz"), "--output", str(index), "--json-progress"])

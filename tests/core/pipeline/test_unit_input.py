@@ -202,6 +202,12 @@ def test_nothing_is_written_before_all_is_checked(
     assert not (tmp_path / "out.gpkg").exists()
 
 
+def test_legs_that_no_unit_has_are_not_the_layers_fault(units: Path, tmp_path: Path) -> None:
+    code, said = _told(["features", str(units), "--end-discs", "--leg-length", "4.5"], tmp_path / "out.gpkg")
+    assert (code, "error: --leg-length: " in said) == (2, True), said
+    assert not (tmp_path / "out.gpkg").exists()
+
+
 def test_a_registration_in_another_crs_is_refused(units: Path, tmp_path: Path) -> None:
     other = Path(shutil.copy(units, tmp_path / "other.gpkg"))
     _changed("UPDATE gpkg_spatial_ref_sys SET organization_coordsys_id = 32651 WHERE srs_id = 32650")(other)
