@@ -76,7 +76,7 @@ def run_batch(surveys: Sequence[Path], options: Sequence[str], feedback: Feedbac
 
 
 def watch(survey: Path, options: Sequence[str], interval: float, once: bool, feedback: Feedback) -> dict[str, Any]:
-    """Run a survey anew whenever its tiles or its survey.toml changed and have stood still for a moment.
+    """Run a survey anew whenever its tiles or its survey.toml changed and have stood still for a moment, or its result is gone.
 
     Input that is refused is refused until it changes; what failed for another reason (a locked result, a full disk) is tried again after
     pauses that grow to an hour.
@@ -103,7 +103,7 @@ def watch(survey: Path, options: Sequence[str], interval: float, once: bool, fee
     """
     state_file = result_of(survey).with_suffix(".watched")
     done = state_file.read_text(encoding="utf-8", errors="replace") if state_file.is_file() else ""
-    waiting, tries = "", 0
+    waiting, refused, tries = "", "", 0
     while True:
         pause = interval
         try:
@@ -116,22 +116,24 @@ def watch(survey: Path, options: Sequence[str], interval: float, once: bool, fee
                 feedback.warning(f"waiting: {waiting}")
         else:
             waiting = ""
-            if state == done:
+            # a result that was taken away is made again
+            if state == refused or (state == done and result_of(survey).is_file()):
                 if once:
                     return {"runs": 0}
             else:
-                feedback.info(f"{survey}: new or changed input")
+                feedback.info(f"{survey}: {'its result is gone' if state == done else 'new or changed input'}")
                 outcome = _run(survey, ["--resume", *options], feedback)
                 if outcome.code == DONE:
                     write_whole(state_file, state.encode("utf-8"))
+                    done = state
                 if once or outcome.code == INTERRUPTED:
                     return _ended(outcome)
                 tries = tries + 1 if outcome.passing else 0
                 if outcome.passing:
                     pause = min(interval * 2**tries, LONGEST_PAUSE)
                     feedback.warning(f"trying again in {pause:.0f} s")
-                else:
-                    done = state
+                elif outcome.code != DONE:
+                    refused = state
         time.sleep(pause)
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..core.common.feedback import Feedback
-from .console import Console, execute, prepare_process, print_document
+from .console import FINISHED, NOTHING, Console, execute, prepare_process, print_document
 
 if TYPE_CHECKING:
     from ..core.model.unit_types import UnitType
@@ -56,13 +56,13 @@ LegLength = Annotated[float | None, typer.Option("--leg-length", min=1e-6, help=
 Opening = Annotated[str, typer.Option("--opening", help="tetrahedral or paper")]
 
 
-def _run(quiet: bool, log_file: Path | None, json_progress: bool, step: Callable[[Feedback], dict[str, Any]]) -> None:
-    """Run a step with its messages going to the console, and leave with its exit code."""
+def _run(quiet: bool, log_file: Path | None, json_progress: bool, step: Callable[[Feedback], dict[str, Any]], left: str = NOTHING) -> None:
+    """Run a step with its messages going to the console, and leave with its exit code; ``left`` stays of it when it is ended."""
 
     def with_feedback(console: Console) -> dict[str, Any]:
         return step(Feedback(console.progress, console.info, console.warning, lambda: console.cancelled))
 
-    raise typer.Exit(execute(Console(quiet, log_file, json_progress), with_feedback))
+    raise typer.Exit(execute(Console(quiet, log_file, json_progress), with_feedback, left))
 
 
 @app.command()
@@ -100,7 +100,7 @@ def run(
 
             return run_survey(found, output, RunOptions(workers, scheduler, resume, seed), feedback, processes)
 
-    _run(quiet, log_file, json_progress, step)
+    _run(quiet, log_file, json_progress, step, NOTHING if len(survey) == 1 and survey[0].endswith(".toml") and not resume else FINISHED)
 
 
 @app.command()
@@ -402,7 +402,7 @@ def simulate(
         )  # fmt: skip
         return {"survey": str(simulate_survey(plan, output, feedback.progress))}
 
-    _run(quiet, log_file, json_progress, step)
+    _run(quiet, log_file, json_progress, step, FINISHED)
 
 
 @app.command()
@@ -503,7 +503,7 @@ def relief(
 
         return run_relief(read_survey(survey), output, feedback)
 
-    _run(quiet, log_file, json_progress, step)
+    _run(quiet, log_file, json_progress, step, FINISHED)
 
 
 @app.command()
@@ -717,7 +717,7 @@ def label_tiles(
         with foreign_contents(result):
             return write_labelled_tiles(read_survey(survey), result, folder, feedback)
 
-    _run(quiet, log_file, json_progress, step)
+    _run(quiet, log_file, json_progress, step, FINISHED)
 
 
 @app.command()
@@ -764,7 +764,7 @@ def batch(
 
         return run_batch(surveys, _run_options(workers, scheduler, resume), feedback)
 
-    _run(quiet, log_file, json_progress, step)
+    _run(quiet, log_file, json_progress, step, FINISHED)
 
 
 @app.command()
@@ -785,7 +785,7 @@ def watch(
 
         return look(survey, _run_options(workers, scheduler, False), interval, once, feedback)
 
-    _run(quiet, log_file, json_progress, step)
+    _run(quiet, log_file, json_progress, step, FINISHED)
 
 
 @app.command()
@@ -803,7 +803,7 @@ def demo(
 
         return run_demo(folder, workers, feedback)
 
-    _run(quiet, log_file, json_progress, step)
+    _run(quiet, log_file, json_progress, step, FINISHED)
 
 
 @app.command("warm-up")

@@ -24,6 +24,9 @@ from ..core.common.errors import Cancelled, InputError, NoSolutionError, OutputE
 from ..core.common.garbage_collection import collect_seldom
 
 DONE, FAULT, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
+NOTHING = "nothing was written"
+FINISHED = "files finished before are whole and stay"
+"""What stays of a step that is ended before its time: of one that writes one file, and of one that writes several."""
 PLAIN_SECONDS = 10.0
 """Plain progress lines are at least this far apart, unless a step is finished."""
 JSON_SECONDS = 0.1
@@ -256,21 +259,24 @@ def _reconfigure(stream: Any, **how: str) -> None:
         stream.reconfigure(**how)
 
 
-def execute(console: Console, step: Callable[[Console], dict[str, Any]]) -> int:
-    """Run a step and return the exit code: 0 done, 2 bad input, 130 interrupted, 1 a fault of the program."""
+def execute(console: Console, step: Callable[[Console], dict[str, Any]], left: str = NOTHING) -> int:
+    """Run a step and return the exit code: 0 done, 2 bad input, 130 interrupted, 1 a fault of the program.
+
+    ``left`` says what stays of a step that is ended before its time.
+    """
     before = _interrupts_go_to(console)
     try:
         with console.opened():
             try:
                 outputs = step(console)
             except Cancelled:
-                console.error("cancelled; nothing was written")
+                console.error(f"cancelled; {left}")
                 return INTERRUPTED
             except TetratrackError as error:
                 console.error(str(error), error.remedy, passing=not isinstance(error, InputError | NoSolutionError))
                 return BAD_INPUT
             except KeyboardInterrupt:
-                console.error("interrupted; nothing was written")
+                console.error(f"interrupted; {left}")
                 return INTERRUPTED
             except MemoryError:
                 console.error("out of memory. Use fewer --workers", passing=True)

@@ -43,11 +43,23 @@ def test_batch_runs_all_and_names_the_bad_one(tmp_path: Path) -> None:
     assert not batch.result_of(bad).exists()
 
 
+def test_a_batch_that_is_ended_does_not_say_that_nothing_was_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    surveys = [_site(tmp_path / name, "2024") for name in ("one", "two")]
+    outcomes = [batch.Outcome(0), batch.Outcome(130)]
+    monkeypatch.setattr(batch, "_run", lambda *_: outcomes.pop(0))
+    told = CliRunner().invoke(app, ["batch", *map(str, surveys)])
+    assert told.exit_code == 130
+    assert "error: cancelled; files finished before are whole and stay" in told.stderr
+
+
 def test_watch_runs_what_is_new_and_only_that(tmp_path: Path, quick: None) -> None:
     survey = _site(tmp_path, "2024")
     options = ["--workers", "1"]
     assert batch.watch(survey, options, 1, True, Feedback()) == {"runs": 1}
     assert batch.watch(survey, options, 1, True, Feedback()) == {"runs": 0}
+    batch.result_of(survey).unlink()
+    assert batch.watch(survey, options, 1, True, Feedback()) == {"runs": 1}, "a result that is gone is made again"
+    assert batch.result_of(survey).is_file()
     _site(tmp_path, "2024", "2025")
     assert batch.watch(survey, options, 1, True, Feedback()) == {"runs": 1}
     assert [row["label"] for row in read_layer_rows(tmp_path / "survey.gpkg", "epochs")] == ["2024", "2025"]
@@ -68,7 +80,13 @@ def _watch(monkeypatch: pytest.MonkeyPatch, survey: Path, outcomes: list[batch.O
         if len(pauses) >= looks:
             raise _Enough
 
-    monkeypatch.setattr(batch, "_run", lambda *_: outcomes.pop(0))
+    def run(*_: object) -> batch.Outcome:
+        outcome = outcomes.pop(0)
+        if outcome.code == 0:
+            batch.result_of(survey).touch()
+        return outcome
+
+    monkeypatch.setattr(batch, "_run", run)
     monkeypatch.setattr(batch.time, "sleep", sleep)
     with pytest.raises(_Enough):
         batch.watch(survey, [], 60, False, Feedback(info=said.append, warning=said.append))
