@@ -30,7 +30,7 @@ FOLDER = ".tetratrack-"
 
 @contextmanager
 def temporary_beside(target: Path) -> Iterator[Path]:
-    """An empty temporary file in the target's folder, removed on leaving unless it was renamed.
+    """An empty temporary file in the target's folder, or where the target as a link leads to, removed on leaving unless it was renamed.
 
     What killed processes left there under the names of this target is removed first.
 
@@ -39,6 +39,7 @@ def temporary_beside(target: Path) -> Iterator[Path]:
     OutputError
         The target is a folder, or its folder cannot be written.
     """
+    target = followed(target)
     temporary = target.with_name(f".{target.name}.{process_mark()}.part")
     try:
         if target.is_dir():
@@ -81,7 +82,11 @@ def temporary_folder(place: Path | None = None) -> Iterator[Path]:
 
 
 def replace_durably(temporary: Path, target: Path) -> None:
-    """Give a finished temporary file its name so that neither a crash nor power loss leaves a half-written file."""
+    """Give a finished temporary file its name so that neither a crash nor power loss leaves a half-written file.
+
+    Where the target is a symbolic link, the file it leads to is replaced and the link stays.
+    """
+    target = followed(target)
     with temporary.open("rb+") as stream:
         os.fsync(stream.fileno())
     # temporary files are for the owner alone; results are shared like any other file
@@ -95,6 +100,11 @@ def replace_durably(temporary: Path, target: Path) -> None:
             os.fsync(folder)
         finally:
             os.close(folder)
+
+
+def followed(target: Path) -> Path:
+    """Where a target that is a symbolic link leads to, though nothing may be there yet; others as they are."""
+    return Path(os.path.realpath(target)) if os.path.islink(target) else target
 
 
 def _take_place(temporary: Path, target: Path) -> None:

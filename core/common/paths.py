@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import unicodedata
 from pathlib import PurePath
@@ -37,4 +38,7 @@ def remedy_for(path: PurePath, error: Exception) -> str:
         return f"Choose a shorter path: Windows takes {LONGEST_ON_WINDOWS} characters."
     if WINDOWS and isinstance(error, PermissionError) and os.path.isfile(path):
         return "Close it in QGIS and other programs, or choose another name."
+    if getattr(error, "errno", None) == errno.ENAMETOOLONG:
+        size = len(os.fsencode(path.name))
+        return f"Choose a shorter name: this one has {size} bytes, most disks take 255, some of them for a temporary name."
     return "Check the folder's permissions and free space."

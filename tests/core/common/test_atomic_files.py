@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 from tetratrack.core.common.atomic_files import temporary_beside, temporary_folder, write_whole
 from tetratrack.core.common.errors import OutputError
+from tetratrack.core.results.geopackage_reader import read_layer_rows
+from tetratrack.core.results.geopackage_writer import write_result
 
 KILLED = """
 import os, signal, sys
@@ -42,3 +44,33 @@ def test_a_folder_in_the_place_of_a_file_is_refused_and_nothing_left(tmp_path: P
     with pytest.raises(OutputError, match="cannot be written"):
         write_whole(tmp_path / "none" / "a.csv", b"text")
     assert [path.name for path in tmp_path.iterdir()] == ["a.csv"]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links need no rights there")
+@pytest.mark.parametrize("there", [True, False], ids=["to a file", "to nothing yet"])
+def test_a_link_is_followed_and_stays(tmp_path: Path, there: bool) -> None:
+    (tmp_path / "disk").mkdir()
+    (tmp_path / "site").mkdir()
+    for name in ("page.html", "result.gpkg"):
+        behind, link = tmp_path / "disk" / name, tmp_path / "site" / name
+        link.symlink_to(Path("..") / "disk" / name)
+        if name == "page.html":
+            if there:
+                behind.write_bytes(b"old")
+            write_whole(link, b"new")
+            assert behind.read_bytes() == b"new"
+        else:
+            if there:
+                write_result(behind, "LOCAL", {})
+            write_result(link, "LOCAL", {})
+            assert read_layer_rows(behind, "units") == []
+        assert link.is_symlink()
+        assert not behind.is_symlink()
+    assert sorted(path.name for path in tmp_path.rglob("*.*")) == ["page.html", "page.html", "result.gpkg", "result.gpkg"]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="another limit")
+def test_a_name_that_is_too_long_is_said_to_be(tmp_path: Path) -> None:
+    for length in (240, 300):
+        with pytest.raises(OutputError, match=rf"Choose a shorter name: this one has {length} bytes"):
+            write_whole(tmp_path / ("a" * (length - 4) + ".csv"), b"text")
