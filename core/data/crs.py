@@ -261,7 +261,7 @@ def check_same_crs(layer_crs: str, expected: str, *, source: str | Path, whose: 
     if expected != LOCAL:
         own, other = parse_crs(layer_crs), parse_crs(expected)
         up, other_up = _vertical(own), _vertical(other)
-        if _equal(_horizontal(own), _horizontal(other)) and (up is None or other_up is None or _equal(up, other_up)):
+        if _equal(_horizontal(own).to_2d(), _horizontal(other).to_2d()) and (up is None or other_up is None or _equal(up, other_up)):
             return
     raise CrsError(
         f"is in {_short(layer_crs)}, {whose} in {_short(expected)}", source=source, remedy="Give what was computed in the same CRS."

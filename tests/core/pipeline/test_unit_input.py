@@ -19,7 +19,7 @@ import pytest
 import shapely
 from tetratrack.core.common.errors import CrsError, InputError
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.crs import check_same_crs
+from tetratrack.core.data.crs import check_same_crs, parse_crs
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.pipeline.epoch_plans import plan_survey
@@ -227,7 +227,7 @@ def test_a_layer_of_another_program_will_do(tmp_path: Path) -> None:
     assert [row["geometry"].tolist() for row in rows] == [[500000, 4000000, 3], [500005, 4000000, 3]]
     assert [row["epoch"] for row in rows] == ["a", "a"]
     assert "EGM96" in crs_of_layer(tmp_path / "u.gpkg")
-    for crs in ("EPSG:32650", "EPSG:32650+5773"):
+    for crs in ("EPSG:32650", "EPSG:32650+5773", parse_crs("EPSG:32650").to_3d().to_wkt()):
         check_same_crs(crs_of_layer(tmp_path / "u.gpkg"), crs, source="u.gpkg", whose="the survey")
     with pytest.raises(CrsError, match="the survey in"):
         check_same_crs(crs_of_layer(tmp_path / "u.gpkg"), "EPSG:32650+3855", source="u.gpkg", whose="the survey")
