@@ -85,7 +85,7 @@ class ResultAlgorithm(TetratrackAlgorithm):
         """Add the structure's axis."""
         self.add(
             QgsProcessingParameterString(self.AXIS, tr("Axis of the structure"), optional=True),
-            tr("Places easting,northing along it, separated by blanks; the longest direction of the units unless given."),
+            tr("Places easting,northing along it, separated by blanks; the centreline of the units unless given."),
             advanced=True,
         )
 

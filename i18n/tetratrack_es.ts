@@ -1015,8 +1015,8 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>Lugares easting,northing a lo largo del eje, separados por espacios; por defecto la dirección más larga de los bloques.</translation>
+      <source>Places easting,northing along it, separated by blanks; the centreline of the units unless given.</source>
+      <translation>Lugares easting,northing a lo largo del eje, separados por espacios; por defecto la línea central de los bloques.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />

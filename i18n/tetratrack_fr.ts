@@ -1015,8 +1015,8 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>Places easting,northing le long de l'axe, séparées par des espaces ; par défaut la plus longue direction des blocs.</translation>
+      <source>Places easting,northing along it, separated by blanks; the centreline of the units unless given.</source>
+      <translation>Places easting,northing le long de l'axe, séparées par des espaces ; par défaut la ligne médiane des blocs.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />

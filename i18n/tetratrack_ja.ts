@@ -1015,8 +1015,8 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>軸に沿う位置 easting,northing を空白区切りで。指定しなければブロックの最長方向。</translation>
+      <source>Places easting,northing along it, separated by blanks; the centreline of the units unless given.</source>
+      <translation>軸に沿う位置 easting,northing を空白区切りで。指定しなければブロックの中心線。</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />

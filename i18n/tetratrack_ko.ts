@@ -1015,8 +1015,8 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>축을 따라 easting,northing 위치를 공백으로 구분. 지정하지 않으면 블록의 가장 긴 방향.</translation>
+      <source>Places easting,northing along it, separated by blanks; the centreline of the units unless given.</source>
+      <translation>축을 따라 easting,northing 위치를 공백으로 구분. 지정하지 않으면 블록의 중심선.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />

@@ -1015,8 +1015,8 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>Lugares easting,northing ao longo do eixo, separados por espaços; por omissão a direção mais longa dos blocos.</translation>
+      <source>Places easting,northing along it, separated by blanks; the centreline of the units unless given.</source>
+      <translation>Lugares easting,northing ao longo do eixo, separados por espaços; por omissão a linha central dos blocos.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />

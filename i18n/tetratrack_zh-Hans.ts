@@ -1015,8 +1015,8 @@
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
-      <source>Places easting,northing along it, separated by blanks; the longest direction of the units unless given.</source>
-      <translation>沿轴线的位置 easting,northing,用空格分隔;不指定则为块体最长方向。</translation>
+      <source>Places easting,northing along it, separated by blanks; the centreline of the units unless given.</source>
+      <translation>沿轴线的位置 easting,northing,用空格分隔;不指定则为块体的中心线。</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />

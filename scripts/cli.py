@@ -533,8 +533,8 @@ def report(
     """Report of a reviewed result, as a web page or PDF."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.armour.axis import parse_axis
         from ..core.armour.comparisons import design_of
+        from ..core.common.axis import parse_axis
         from ..core.report.report import ReportOptions, said_of_fonts, write_report
         from ..core.report.structure_pages import StructureOptions
 
@@ -622,8 +622,8 @@ def profiles(
     """Cross-sections of all epochs, crest height and width, and settlement along the structure."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
-        from ..core.armour.axis import parse_axis
         from ..core.armour.comparisons import write_profiles
+        from ..core.common.axis import parse_axis
         from ..core.results.field_checks import foreign_contents
 
         with foreign_contents(result):

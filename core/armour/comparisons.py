@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..common.arrays import FloatArray
+from ..common.axis import Axis, parse_axis
+from ..common.centreline import ARM_HEIGHTS, centreline
 from ..common.errors import InputError, OutputError
 from ..common.output_files import check_targets
 from ..results.comparison_layers import PLAN_LAYERS, PROFILE_LAYERS, SECTION_LAYERS
@@ -18,7 +20,6 @@ from ..results.geopackage_writer import write_beside
 from ..results.schema import Layer
 from ..review.point_index import PointIndex, index_folder
 from .as_built import AsBuilt, read_as_built
-from .axis import Axis, longest_direction, parse_axis
 from .design_files import read_design_lines, read_plan, split_source
 from .design_surface import DesignSurface, Reference, compare_with_profile, design_surface
 from .placement_plan import PlanComparison, Tolerance, compare_with_plan
@@ -53,7 +54,7 @@ class Design:
     reference
         What is judged against the profile.
     axis
-        (n, 2) of the structure; the longest direction of its units by default.
+        (n, 2) of the structure; the centreline of its units by default.
     """
 
     plan: str = ""
@@ -200,7 +201,7 @@ def profiles(
     clouds
         Points to show in the sections.
     axis
-        (n, 2) of the structure; the longest direction of its units by default.
+        (n, 2) of the structure; the centreline of its units by default.
     step
         Distance of the sections, metres; four heights H by default.
     profile
@@ -224,9 +225,9 @@ def profiles(
     return Profiles(
         planes=planes,
         epochs=epochs,
-        sections=section_rows(models, planes, _by_section(clouds, epochs, planes), surface),
+        sections=section_rows(models, line, planes, _by_section(clouds, epochs, planes), surface),
         crest=crest_rows(models, line, planes, distance),
-        settlement=settlement_rows(read_layer_rows(result, "stretches"), line, places),
+        settlement=settlement_rows(read_layer_rows(result, "stretches"), line, line if axis is None else _axis(None, models), places),
     )
 
 
@@ -264,7 +265,10 @@ def _models(result: Path) -> list[AsBuilt]:
 
 
 def _axis(given: FloatArray | None, models: Sequence[AsBuilt]) -> Axis:
-    return longest_direction(np.array([unit.shape.centre for unit in models[-1].units])) if given is None else Axis(given)
+    if given is not None:
+        return Axis(given)
+    units = models[-1].units
+    return centreline(np.array([unit.shape.centre for unit in units]), ARM_HEIGHTS * float(units[0].row["height"]))
 
 
 def _surface(source: str, model: AsBuilt, axis: Axis) -> DesignSurface:

@@ -10,9 +10,9 @@ from typing import Any, Literal
 import numpy as np
 
 from ..common.arrays import FloatArray
+from ..common.axis import Axis
 from ..model.outline import PlacedShape
 from .as_built import AsBuilt
-from .axis import Axis
 from .placement_plan import verdict
 
 Reference = Literal["outer", "centre"]

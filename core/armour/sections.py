@@ -10,17 +10,19 @@ from typing import Any
 import numpy as np
 
 from ..common.arrays import FloatArray
+from ..common.axis import Axis
 from ..model.facets import facets, plan_outline
 from ..model.outline import PlacedShape, nominal_diameter
 from ..results.geopackage_reader import Row
 from ..results.unit_rows import Z_95
 from .as_built import AsBuilt, BuiltUnit
-from .axis import Axis
 from .contacts import reach_of
 from .design_surface import DesignSurface, support
 
 CREST_DIAMETERS = 0.5
 """Units whose top lies less than this below the highest one of a reach are its crest, nominal diameters."""
+ANOTHER_PART = 2.0
+"""Distance from the axis along a section over that from the axis at all, beyond which a unit belongs to another part of a bent axis."""
 POINT_STEP = 0.10
 """Metres along a section for which one height of the points is stated."""
 POINT_SHARE = 0.95
@@ -83,7 +85,11 @@ def cut_body(shape: PlacedShape, plane: CutPlane, sides: int = 24) -> list[Float
 
 
 def section_rows(
-    models: Sequence[AsBuilt], planes: Sequence[CutPlane], clouds: Mapping[str, Sequence[FloatArray]], design: DesignSurface | None
+    models: Sequence[AsBuilt],
+    axis: Axis,
+    planes: Sequence[CutPlane],
+    clouds: Mapping[str, Sequence[FloatArray]],
+    design: DesignSurface | None,
 ) -> list[dict[str, Any]]:
     """Rows of ``sections``: blocks and points of every epoch, and the design.
 
@@ -91,6 +97,8 @@ def section_rows(
     ----------
     models
         Units of every epoch.
+    axis
+        Of the structure: what is nearer to another part of it by far is of that part's sections.
     planes
         Where to cut.
     clouds
@@ -100,12 +108,14 @@ def section_rows(
     """
     rows = []
     reach = max((reach_of(unit.shape) for model in models for unit in model.units), default=1.0)
+    beside = [np.abs(axis.locate(np.array([unit.shape.centre for unit in model.units]))[1]) for model in models]
     for number, plane in enumerate(planes, start=1):
         base = {"section": number, "along": plane.along}
         offsets: list[float] = []
-        for model in models:
-            for unit in model.units:
-                if abs(float((unit.shape.centre[:2] - plane.place) @ plane.heading)) > reach:
+        for model, distances in zip(models, beside, strict=True):
+            for unit, distance in zip(model.units, distances, strict=True):
+                away = unit.shape.centre[:2] - plane.place
+                if abs(float(away @ plane.heading)) > reach or abs(float(away @ plane.left)) > ANOTHER_PART * distance + reach:
                     continue
                 for curve in cut_body(unit.shape, plane):
                     rows.append(base | {"geometry": curve, "kind": "blocks", "unit_id": unit.unit_id, "epoch": model.epoch})
@@ -143,13 +153,16 @@ def crest_rows(models: Sequence[AsBuilt], axis: Axis, planes: Sequence[CutPlane]
     return rows
 
 
-def settlement_rows(stretches: Sequence[Row], axis: Axis, places: FloatArray) -> list[dict[str, Any]]:
-    """Rows of ``settlement`` from those of ``stretches``: each drawn as the part of the axis that its chainage covers."""
-    along = axis.locate(places)[0]
-    start, level = float(along.min()), float(places[:, 2].max())
+def settlement_rows(stretches: Sequence[Row], axis: Axis, centreline: Axis, places: FloatArray) -> list[dict[str, Any]]:
+    """Rows of ``settlement`` from those of ``stretches``: each drawn as the part of the axis beside the chainage that it covers.
+
+    The run counts chainage along the ``centreline`` of the units at ``places`` (n, 3), whatever axis is given.
+    """
+    start, level = float(centreline.locate(places)[0].min()), float(places[:, 2].max())
     rows = []
     for row in stretches:
-        ends = [axis.frame(start + float(row[name]))[0] for name in ("along_from", "along_to")]
+        covered = np.array([centreline.frame(start + float(row[name]))[0] for name in ("along_from", "along_to")])
+        ends = [axis.frame(along)[0] for along in axis.locate(covered)[0]]
         half = Z_95 * float(row["sd_h"])
         names = ("epoch_from", "epoch_to", "datum", "along_from", "along_to", "units", "dh", "significant")
         rows.append(

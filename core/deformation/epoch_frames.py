@@ -29,8 +29,6 @@ from .target_changes import p_values_of_changes
 FrameChoice = Literal["auto", "rigid", "elastic"]
 CELL_HEIGHTS = 1.5
 """Size of the cells of ground in which displacements are pooled, in heights of a unit."""
-SHORTEST_HEIGHTS = 2.5
-"""Least correlation length looked for, in heights of a unit."""
 RESOLUTION_HEIGHTS = 0.0005
 """Interpolation error of the field that is allowed, in heights of a unit."""
 FEWEST_DEGREES = 4.0
@@ -236,7 +234,7 @@ def _resting_cells(pair: PairShifts, bending: Bending, height: float) -> tuple[S
     cells = in_cells(pair.places[:, :2], pair.vectors, np.einsum("kii->ki", pair.covariances), CELL_HEIGHTS * height)
     if bending.model is None:
         return cells, np.zeros(0, dtype=np.int64)
-    resting = explained(cells, bending.model)
+    resting = explained(cells, bending.model, bending.line)
     return cells, resting[~bending.jumped(cells.places[resting])]
 
 
@@ -271,7 +269,7 @@ def _changes_unlike_the_ground(
             common.values,
             first.variances[a] + second.variances[b],
             ground.at(first.positions[a]),
-            model.length * model.scaled(first.positions[a])[:, 0],
+            bending.line.locate(first.positions[a])[0],
             STATION_HEIGHTS * height,
         )
         alone = [_outlier_p_values(model, own, noise, np.ones(len(own.ids), dtype=bool))[1] for own in (first, second)]
@@ -290,7 +288,7 @@ def _bending_between(pair: PairShifts, targets: Sequence[TargetShifts | None], h
     first, second = targets
     if first is not None and second is not None:
         sample = sample.joined(_common_targets(first, second))
-    return estimate_bending(sample, SHORTEST_HEIGHTS * height, least_gain)
+    return estimate_bending(sample, height, least_gain)
 
 
 def _common_targets(first: TargetShifts, second: TargetShifts) -> ShiftSample:
@@ -343,7 +341,7 @@ def _bend_of_targets(own: TargetShifts, height: float, least_gain: float) -> tup
             fixed=np.ones(len(own.ids), dtype=bool),
         )
         rigid = rigid_log_likelihood(sample)
-        found = estimate_bending(sample, SHORTEST_HEIGHTS * height, 0.0)
+        found = estimate_bending(sample, height, 0.0)
         stiff = max(stiff, rigid)
         if found.model is not None and rigid + found.gain > bent:
             bent, model = rigid + found.gain, found.model

@@ -20,10 +20,10 @@ from scipy.optimize import brentq
 from scipy.special import fdtri, gammaln
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.centreline import ARM_HEIGHTS, centreline
 from ..common.noncentrality import noncentrality
 from ..common.robust import t_weights
 from ..registration.frame_field import FieldEstimate
-from ..registration.shift_samples import axis_of
 from .congruence import Congruence, f_p_value, pooled_degrees, quadratic
 from .displacement import POWER, SIGNIFICANCE, adjusted_p_values
 from .elastic_congruence import ElasticDatum
@@ -90,8 +90,7 @@ def stretches_of(places: FloatArray, height: float) -> tuple[list[IntArray], Flo
 
     Stretches begin every half of their length, so that what slides lies for three quarters of it in one of them at least.
     """
-    axis = axis_of(places[:, :2])[0] if len(places) > 1 else (1.0, 0.0)
-    along = places[:, :2] @ np.array(axis)
+    along = centreline(places, ARM_HEIGHTS * height).locate(places)[0]
     along = along - along.min() if len(along) else along
     length = float(along.max()) if len(along) else 0.0
     count = max(1, round(length / (STRETCH_HEIGHTS * height)))

@@ -16,6 +16,7 @@ from scipy.sparse import coo_array, csc_array, diags_array, eye_array, kron
 from scipy.sparse.linalg import SuperLU, splu
 
 from ..common.arrays import FloatArray, IntArray, upper_triangle
+from ..common.centreline import ARM_HEIGHTS, centreline
 from .unit_clouds import Sources
 
 KNOT_HEIGHTS = 3.5
@@ -56,9 +57,9 @@ class Knots:
         return self.spacing * (self.count - 1)
 
     @classmethod
-    def along(cls, places: FloatArray, axis: tuple[float, float], height: float) -> Knots | None:
+    def along(cls, places: FloatArray, height: float) -> Knots | None:
         """Knots for units at (u, 3) ``places``; None where the structure is too short for any."""
-        along = places[:, 0] * axis[0] + places[:, 1] * axis[1]
+        along = centreline(places, ARM_HEIGHTS * height).locate(places)[0]
         low, high = float(along.min()), float(along.max())
         count = round((high - low) / (KNOT_HEIGHTS * height)) + 1
         if count < FEWEST_KNOTS:

@@ -36,7 +36,6 @@ from ..model.mould import AZIMUTH_CELLS, Mould
 from ..model.pose import Pose
 from ..model.tetrapod import TIP_RATIO, leg_frame
 from ..model.unit_types import UnitType
-from ..registration.shift_samples import axis_of
 from .cast_surfaces import CastSurfaces
 from .ends_in_epochs import ends_shown, way_to_ends
 from .joint_records import JointAdjustment, UnitSighting
@@ -413,7 +412,7 @@ class _JointSolver:
             return False
         places = np.array([self.centres[own[0]] for own in self.order.values()])
         height = max(s.shape.height for s in self.sightings)
-        knots = Knots.along(places, axis_of(places[:, :2])[0], height)
+        knots = Knots.along(places, height)
         if knots is None:
             return False
         rate = self.drift_system(knots, blocks).rate(height)[0]

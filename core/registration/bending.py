@@ -19,6 +19,8 @@ from scipy.linalg import solve_triangular
 from scipy.optimize import minimize_scalar
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
+from ..common.axis import Axis
+from ..common.centreline import ARM_HEIGHTS, centreline
 from ..common.robust import CHI2_1_MEDIAN, MAD_TO_SD, t_weights
 from .frame_field import FieldModel, matern
 from .moved_stretches import moved_stretches
@@ -37,6 +39,8 @@ ALIKE = 0.5
 of two, while those of plan and height differ by half as a rule (assumed)."""
 GAIN = 12.0
 """Least gain of log-likelihood by which a frame is said to bend; one that does not gains 12 in fewer than one survey of ten thousand."""
+SHORTEST_HEIGHTS = 2.5
+"""Least correlation length looked for, in heights of a unit."""
 ELONGATED = 3.0
 """Length over width from which the ground is a strip, along which errors run."""
 LINE_OF_FLIGHT = 16.0
@@ -61,43 +65,44 @@ class Bending:
         None where a rigid motion explains the shifts.
     gain
         Of log-likelihood over a rigid motion.
-    axis
-        Direction of the structure, unit vector (e, n).
+    line
+        Centreline of the structure.
     jumps
-        Stretches, from and to along the axis in metres, that moved as one against all around them: no smooth bend does that.
+        Stretches, from and to along it in metres, that moved as one against all around them: no smooth bend does that.
     """
 
     model: FieldModel | None
     gain: float
-    axis: tuple[float, float]
+    line: Axis
     jumps: tuple[tuple[float, float], ...] = ()
 
     def jumped(self, places: FloatArray) -> BoolArray:
         """(k,) which of (k, 2 or 3) places lie on a stretch that moved as one."""
-        along = places[:, :2] @ np.array(self.axis)
+        along = self.line.locate(places)[0]
         inside = np.zeros(len(places), dtype=bool)
         for low, high in self.jumps:
             inside |= (along >= low) & (along <= high)
         return inside
 
 
-def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = GAIN) -> Bending:
+def estimate_bending(sample: ShiftSample, height: float, least_gain: float = GAIN) -> Bending:
     """Model of the bend that the shifts show.
 
     Parameters
     ----------
     sample
         Shifts by cells and targets.
-    shortest
-        Least correlation length looked for, metres.
+    height
+        H in metres.
     least_gain
         Gain of log-likelihood below which the frame is called rigid.
     """
-    axis, elongation = axis_of(sample.places) if len(sample.places) > 1 else ((1.0, 0.0), 1.0)
-    rigid = Bending(model=None, gain=0.0, axis=axis)
+    axis, elongation = axis_of(sample.places)
+    line = centreline(sample.places, ARM_HEIGHTS * height)
+    rigid = Bending(model=None, gain=0.0, line=line)
     if np.sum(~sample.fixed) < FEWEST_CELLS and not sample.fixed.all():
         return rigid
-    along = sample.places @ np.array(axis)
+    along, shortest = line.locate(sample.places)[0], SHORTEST_HEIGHTS * height
     extent = float(np.ptp(along))
     lengths = np.geomspace(shortest, max(2 * extent, 2 * shortest), 10)
     ratios = (1.0, 4.0) if elongation > ELONGATED else (1.0,)
@@ -106,7 +111,7 @@ def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = G
     for window in _windows(along):
         kept = _kept(sample, window, first)
         windows.append(window[kept])
-        searched.append(window[kept | _beside_a_step(sample, window, first, ~kept)])
+        searched.append(window[kept | _beside_a_step(sample, window, along, first, ~kept)])
     bend_of = partial(_likeliest, sample, axis=axis, lengths=lengths, ratios=ratios)
     found = moved_stretches(sample, along, windows, searched, bend_of, shortest, least_gain)
     model, gain = found.model, found.gain
@@ -116,12 +121,12 @@ def estimate_bending(sample: ShiftSample, shortest: float, least_gain: float = G
         # looked for last: the freer a bend is to follow the ground, the less a step looks like one
         wide, wide_gain = _likeliest(sample, found.windows, axis, lengths, (LINE_OF_FLIGHT,))
         model, gain = (wide, wide_gain) if wide is not None and wide_gain > gain else (model, gain)
-    return Bending(model=_no_stiffer_than_seen(sample, found.windows, model), gain=gain, axis=axis, jumps=found.stretches)
+    return Bending(model=_no_stiffer_than_seen(sample, found.windows, model), gain=gain, line=line, jumps=found.stretches)
 
 
-def explained(sample: ShiftSample, model: FieldModel) -> IntArray:
-    """Numbers of the cells that a robust adjustment of a ``model`` explains: units there rest."""
-    along = sample.places @ np.array(model.axis)
+def explained(sample: ShiftSample, model: FieldModel, line: Axis) -> IntArray:
+    """Numbers of the cells along a ``line`` that a robust adjustment of a ``model`` explains: units there rest."""
+    along = line.locate(sample.places)[0]
     return np.unique(np.concatenate([window[_kept(sample, window, model)] for window in _windows(along)]))
 
 
@@ -239,9 +244,9 @@ def _kept(sample: ShiftSample, window: IntArray, model: FieldModel) -> BoolArray
     return np.asarray(fixed | (misfit / size < CLEAR_OUTLIER**2))
 
 
-def _beside_a_step(sample: ShiftSample, window: IntArray, model: FieldModel, doubtful: BoolArray) -> BoolArray:
+def _beside_a_step(sample: ShiftSample, window: IntArray, along: FloatArray, model: FieldModel, doubtful: BoolArray) -> BoolArray:
     """Which doubtful cells agree with those on one side of them: where a stretch moved as one, no smooth field explains its ends."""
-    along = sample.places[window] @ np.array(model.axis)
+    along = along[window]
     free = ~sample.fixed[window]
     found = np.zeros(len(window), dtype=bool)
     for k in np.flatnonzero(doubtful):

@@ -13,6 +13,10 @@ from typing import Any
 import numpy as np
 
 from ..common.arrays import FloatArray
+from ..common.axis import Axis, straight_axis
+
+GAP_SPACINGS = 4.0
+"""Distance of rows that follow each other, over their usual one, between which there is no structure on one that turns."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -21,16 +25,15 @@ class FrameCorrection:
 
     Attributes
     ----------
-    origin, axis
-        (2,) place and unit vector that chainage counts from and along, (easting, northing).
+    line
+        On which chainage is counted; None for a rigid frame.
     chainage
         (k,) ascending, metres; empty for a rigid frame.
     errors, sds
         (k, 3) registered cloud less control, and standard deviations, metres.
     """
 
-    origin: FloatArray
-    axis: FloatArray
+    line: Axis | None
     chainage: FloatArray
     errors: FloatArray
     sds: FloatArray
@@ -38,7 +41,7 @@ class FrameCorrection:
     @classmethod
     def none(cls) -> FrameCorrection:
         """Of a rigid frame."""
-        return cls(origin=np.zeros(2), axis=np.array([1.0, 0.0]), chainage=np.zeros(0), errors=np.zeros((0, 3)), sds=np.zeros((0, 3)))
+        return cls(line=None, chainage=np.zeros(0), errors=np.zeros((0, 3)), sds=np.zeros((0, 3)))
 
     @classmethod
     def from_rows(cls, rows: Iterable[Mapping[str, Any]], epoch: str) -> FrameCorrection:
@@ -47,13 +50,11 @@ class FrameCorrection:
         if len(own) < 2:
             return cls.none()
         places = np.array([np.asarray(row.get("geometry", row.get("geom")), dtype=np.float64)[:2] for row in own])
-        origin = places.mean(axis=0)
-        axis = np.linalg.svd(places - origin, full_matrices=False)[2][0]
-        chainage = (places - origin) @ axis
+        line, chainage = _line_through(places, np.array([float(row["along"]) for row in own]))
         order = np.argsort(chainage)
         errors = np.array([[row["de"], row["dn"], row["dh"]] for row in own])[order]
         sds = np.array([[row["sd_e"], row["sd_n"], row["sd_h"]] for row in own])[order]
-        return cls(origin=origin, axis=axis, chainage=chainage[order], errors=errors, sds=sds)
+        return cls(line=line, chainage=chainage[order], errors=errors, sds=sds)
 
     def at(self, points: FloatArray) -> FloatArray:
         """(n, 3) error of the registered cloud at (n, 3) points of the control frame, metres."""
@@ -64,11 +65,30 @@ class FrameCorrection:
         return self._between(points, self.sds) ** 2
 
     def _between(self, points: FloatArray, values: FloatArray) -> FloatArray:
-        if not len(self.chainage):
+        if self.line is None:
             return np.zeros((len(points), 3))
-        along = (points[:, :2] - self.origin) @ self.axis
+        along = self.line.locate(points)[0]
         return np.column_stack([np.interp(along, self.chainage, values[:, axis]) for axis in range(3)])
 
     def as_settings(self) -> dict[str, Any]:
         """Plain numbers that tell one correction from another."""
-        return {"chainage": self.chainage.tolist(), "errors": self.errors.tolist(), "origin": self.origin.tolist()}
+        corners = [] if self.line is None else self.line.corners.tolist()
+        return {"chainage": self.chainage.tolist(), "errors": self.errors.tolist(), "line": corners}
+
+
+def _line_through(places: FloatArray, along: FloatArray) -> tuple[Axis, FloatArray]:
+    """Line of (k, 2) places that lie ``along`` (k,) metres of the structure, and their chainage on it, metres.
+
+    The line is straight where the run counted so, within the distance of the places.
+    """
+    straight = straight_axis(places)
+    projected, spacing = straight.locate(places)[0], float(np.ptp(along)) / (len(along) - 1)
+    stated, seen = along - along.mean(), projected - projected.mean()
+    if min(float(np.abs(stated - seen).max()), float(np.abs(stated + seen).max())) <= spacing:
+        return straight, projected
+    order = np.argsort(along)
+    steps = np.linalg.norm(np.diff(places[order], axis=0), axis=1)
+    line = Axis(places[order], tuple(np.flatnonzero(steps > GAP_SPACINGS * np.median(steps)).tolist()))
+    chainage = np.zeros(len(along))
+    chainage[order] = np.append(0.0, np.cumsum(steps))
+    return line, chainage

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..common.arrays import BoolArray, FloatArray
+from ..common.axis import main_direction
 from ..common.robust import CHI2_1_MEDIAN
 from .frame_field import FieldModel
 
@@ -49,10 +50,8 @@ class ShiftSample:
 
 def axis_of(places: FloatArray) -> tuple[tuple[float, float], float]:
     """Main direction of (k, 2) places, and length over width of what they cover."""
-    centred = places - places.mean(axis=0)
-    _, vectors = np.linalg.eigh(centred.T @ centred)
-    along = vectors[:, 1] * np.sign(vectors[np.argmax(np.abs(vectors[:, 1])), 1])
-    extent = np.ptp(centred @ np.column_stack([along, [-along[1], along[0]]]), axis=0)
+    along = main_direction(places)
+    extent = np.ptp((places - places.mean(axis=0)) @ np.column_stack([along, [-along[1], along[0]]]), axis=0)
     return (float(along[0]), float(along[1])), float(extent[0] / max(extent[1], 1e-9))
 
 

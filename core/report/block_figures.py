@@ -11,11 +11,12 @@ from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 
 from ..common.arrays import FloatArray
+from ..common.axis import main_direction
 from ..model.facets import facets, plan_outline
 from ..model.outline import PlacedShape
 from ..results.class_colours import CLASS_COLOURS, class_colour
 from ..results.unit_rows import UnitRow
-from .damage import chainage, main_axis
+from .damage import centreline_of
 from .figures import Translate, drawn_as_uri, empty_figure, map_frame
 
 DETAIL_UNITS = 100
@@ -65,7 +66,7 @@ def detail_maps(rows: Sequence[UnitRow], shapes: Mapping[str, PlacedShape], _: T
     if len(shown) <= DETAIL_UNITS:
         return []
     places = np.array([place for _row, place in shown])
-    along = chainage(places, main_axis(places))
+    along = centreline_of([row for row, _place in shown]).locate(places)[0]
     parts = np.array_split(np.argsort(along), min(math.ceil(len(shown) / DETAIL_UNITS), MOST_DETAILS))
     return [_detail_map([shown[k][0] for k in part], shapes, _) for part in parts]
 
@@ -86,8 +87,7 @@ def _detail_map(rows: Sequence[UnitRow], shapes: Mapping[str, PlacedShape], _: T
 
 def _view_axes(centres: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Right, up and towards the eye, (3,) unit vectors: across the long side, from where the units lie lower."""
-    ends = main_axis(centres) if len(centres) > 1 else np.array([[0.0, 0.0], [1.0, 0.0]])
-    along = np.append((ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0]), 0.0)
+    along = np.append(main_direction(centres), 0.0)
     across = np.array([-along[1], along[0], 0.0])
     offsets = centres - centres.mean(axis=0)
     # the slope of a breakwater faces the sea: the eye stands over the low side

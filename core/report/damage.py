@@ -14,8 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..armour.axis import Axis, longest_direction
 from ..common.arrays import BoolArray, FloatArray
+from ..common.axis import Axis
+from ..common.centreline import ARM_HEIGHTS, centreline
 from ..common.errors import InputError
 from ..model.unit_types import UnitType
 from ..results.unit_rows import UnitRow
@@ -120,7 +121,7 @@ def damage(
     excluded
         Rejected units.
     axis
-        (n, 2) easting, northing of the structure's axis, n >= 2; the longest direction of the units by default.
+        (n, 2) easting, northing of the structure's axis, n >= 2; the centreline of the units by default.
     width
         Length of structure looked at, metres; the extent of the units along the axis by default.
     section
@@ -140,8 +141,8 @@ def damage(
     height = float(np.median(heights))
     diameter = nominal_diameter_of(judged) if nominal_diameter is None else nominal_diameter
     places = np.array([row.place for row in judged])
-    line = main_axis(places) if axis is None else np.asarray(axis, dtype=np.float64).reshape(-1, 2)
-    along = chainage(places, line)
+    line = centreline_of(judged) if axis is None else Axis(np.asarray(axis, dtype=np.float64).reshape(-1, 2))
+    along = line.locate(places)[0]
     extent = float(along.max() - along.min()) + height
     if width is not None and not width > 0:
         raise InputError(f"the section width is {width} m", remedy="Give the length of structure in metres, above zero.")
@@ -172,26 +173,17 @@ def damage(
     )
 
 
-def main_axis(places: FloatArray) -> FloatArray:
-    """(2, 2) ends of the line through the units along their longest horizontal direction, west (or south) end first."""
-    return longest_direction(places).corners
-
-
-def chainage(places: FloatArray, axis: FloatArray) -> FloatArray:
-    """(m,) metres along a polyline (n, 2) of the nearest place on it; before and after its ends it runs straight on.
-
-    Raises
-    ------
-    InputError
-        The axis has fewer than two different corners.
-    """
-    return Axis(axis).locate(places)[0]
+def centreline_of(rows: Sequence[UnitRow]) -> Axis:
+    """The centreline of the units that have a place, of a height of 1 m where none is known."""
+    heights = [row.height for row in rows if row.height is not None]
+    places = np.array([row.place for row in rows if row.place is not None]).reshape(-1, 3)
+    return centreline(places, ARM_HEIGHTS * (float(np.median(heights)) if heights else 1.0))
 
 
 def _sections(
     along: FloatArray, moved: FloatArray, broken: BoolArray, limits: Sequence[float], length: float, diameter: float
 ) -> tuple[SectionDamage, ...]:
-    number = np.floor(along / length).astype(np.int64)
+    number = np.floor(along / length + 1e-9).astype(np.int64)
     found = []
     for k in np.unique(number):
         here = moved[number == k]

@@ -89,7 +89,7 @@ class ReportOptions:
     language
         Language as QGIS names it (``ja``, ``fr``, ...); English where it is not shipped.
     axis
-        (n, 2) easting, northing of the structure's axis for sections; the longest direction of the units by default.
+        (n, 2) easting, northing of the structure's axis for sections; the centreline of the units by default.
     width, section
         Length of the structure looked at (for N_od) and of a section along it, metres.
     worst

@@ -12,9 +12,9 @@ import shapely
 from scipy.spatial.transform import Rotation
 from synthetic_result import SRS, SyntheticUnit, make_units, write_result
 from tetratrack.core.armour.as_built import read_as_built
-from tetratrack.core.armour.axis import Axis
 from tetratrack.core.armour.comparisons import Design, compare_design, write_design_comparison
 from tetratrack.core.armour.placement_plan import Tolerance
+from tetratrack.core.common.axis import Axis
 from tetratrack.core.common.errors import InputError, OutputError
 
 MILLIMETRE = 1e-3

@@ -11,11 +11,12 @@ import pytest
 import shapely
 from synthetic_result import HEIGHT, SRS, SyntheticUnit, make_units, write_points, write_result
 from tetratrack.core.armour.as_built import read_as_built
-from tetratrack.core.armour.axis import Axis
 from tetratrack.core.armour.comparisons import profiles, write_profiles
 from tetratrack.core.armour.contacts import reach_of
 from tetratrack.core.armour.residual_cloud import write_residual_cloud
-from tetratrack.core.armour.sections import CutPlane, cut_body
+from tetratrack.core.armour.sections import CutPlane, cut_body, settlement_rows
+from tetratrack.core.common.axis import Axis
+from tetratrack.core.common.centreline import ARM_HEIGHTS, centreline
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.model.outline import reach
 
@@ -38,6 +39,53 @@ def crest(tmp_path_factory: pytest.TempPathFactory) -> Path:
     write_result(path, epochs=2, units=units)
     write_points(path, units, epochs=2)
     return path
+
+
+@pytest.fixture(scope="module")
+def harbour(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, np.ndarray]:
+    """Three rows of units along two arms, 60 m apart, and the end between them; and the first and last unit of the middle row."""
+    path = tmp_path_factory.mktemp("harbour") / "result.gpkg"
+    line = np.array([[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]])
+    units, middle = [], []
+    for part in range(3):
+        heading = (line[part + 1] - line[part]) / 60.0
+        for k, row in np.ndindex(22, 3):
+            place = AXIS[0] + line[part] + (2.0 + 2.6 * k) * heading + 2.6 * (row - 1) * np.array([-heading[1], heading[0]])
+            units.append(
+                SyntheticUnit(f"U{part}{k:02d}{row}", "stable", np.tile([*place, TOP], (2, 1)), np.tile([0.0, 0.0, 0.0, 1.0], (2, 1)))
+            )
+            middle.append(place)
+    write_result(path, epochs=2, units=units)
+    return path, np.array([middle[1], middle[-2]])
+
+
+def test_sections_of_a_harbour_cut_one_arm_each(harbour: tuple[Path, np.ndarray]) -> None:
+    found = profiles(harbour[0], step=9.0)
+    for plane in found.planes:
+        own = [row["geometry"] for row in found.sections if row["along"] == plane.along]
+        if not own:
+            assert plane is found.planes[-1]
+            continue
+        assert np.linalg.norm(np.ptp(np.vstack(own)[:, :2], axis=0)) < 15.0
+    parts = [{row["unit_id"][1] for row in found.sections if row["along"] == plane.along} for plane in found.planes]
+    assert sum(len(own) > 1 for own in parts) <= 4, "of the corners alone"
+    assert set.union(*parts) == {"0", "1", "2"}
+
+
+def test_settlement_is_drawn_where_it_is_whichever_way_the_axis_is_given(harbour: tuple[Path, np.ndarray]) -> None:
+    path, (first, last) = harbour
+    line = AXIS[0] + np.array([[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]])
+    models = [read_as_built(path, None)]
+    places = np.array([unit.shape.centre for unit in models[0].units])
+    row = {"epoch_from": "a", "epoch_to": "b", "datum": "stable", "along_from": 0.0, "along_to": 20.0, "units": 9, "dh": -0.1, "sd_h": 0.01,
+           "significant": True}  # fmt: skip
+    own = centreline(places, ARM_HEIGHTS * HEIGHT)
+    start = own.frame(0.0)[0]
+    assert min(np.linalg.norm(start - first), np.linalg.norm(start - last)) < 5.0
+    for axis in (own, Axis(line), Axis(line[::-1])):
+        drawn = settlement_rows([row], axis, own, places)[0]["geometry"]
+        assert np.linalg.norm(drawn[0, :2] - start) < 6.0
+        assert np.linalg.norm(drawn[1] - drawn[0]) == pytest.approx(20.0, abs=2.0)
 
 
 def test_curves_of_a_cut_lie_on_the_body_and_in_the_plane() -> None:

@@ -7,11 +7,12 @@ import math
 import numpy as np
 import pytest
 from bent_coast import DIRECTION, BentCoast, bent_coast
+from curved_structures import line_of, units_along
 from tetratrack.core.deformation import stretches as stretches_module
 from tetratrack.core.deformation.congruence import Congruence, congruence_of
 from tetratrack.core.deformation.elastic_congruence import ElasticDatum, elastic_congruence_of
 from tetratrack.core.deformation.epoch_frames import PairShifts, TargetShifts, estimate_frames
-from tetratrack.core.deformation.stretches import JudgedUnits, StretchMotion, motions_of_stretches
+from tetratrack.core.deformation.stretches import JudgedUnits, StretchMotion, motions_of_stretches, stretches_of
 from tetratrack.core.registration.frame_field import FieldBasis, FieldEstimate, FieldModel
 
 HEIGHT = 2.3
@@ -144,3 +145,32 @@ def test_a_longer_coast_has_no_larger_matrices_of_a_stretch(monkeypatch: pytest.
             motions_of_stretches(units, found, elastic, HEIGHT)
     assert max(sizes[500.0]) <= 1.1 * max(sizes[250.0]) < elastic.control.basis.size / 3
     assert len(sizes[500.0]) < 2.2 * len(sizes[250.0])
+
+
+def settled(places: np.ndarray, moved: np.ndarray, seed: int) -> list[tuple[StretchMotion, float]]:
+    """Every stretch of units known to 3 mm, of which those ``moved`` settled by 20 mm, with the share of these in it."""
+    noise = np.random.default_rng(seed).normal(0, 0.003, places.shape)
+    vectors = noise - moved[:, None] * [0.0, 0.0, 0.02]
+    covariances = np.tile(0.003**2 * np.eye(3), (len(places), 1, 1))
+    registered = np.diag([0.004**2] * 3 + [1e-5**2] * 3 + [0.0])
+    found = congruence_of(vectors, covariances, places, registered, places.mean(axis=0), HEIGHT)
+    units = JudgedUnits(places=places, vectors=vectors, covariances=found.null.covariance(covariances))
+    motions = motions_of_stretches(units, found, None, HEIGHT)["stable"]
+    stretches = [own for own in stretches_of(places, HEIGHT)[0] if len(own) >= stretches_module.FEWEST_UNITS]
+    return [(motion, float(moved[own].mean())) for motion, own in zip(motions, stretches, strict=True)]
+
+
+@pytest.mark.parametrize("name", ["L", "U", "head", "ring"])
+def test_a_settled_stretch_of_one_arm_is_found_where_a_structure_turns(name: str) -> None:
+    """Chainage follows the structure: arms side by side, the far end behind a corner and a round head are stretches of their own."""
+    for seed in range(2):
+        places, chainage, _ = units_along(line_of(name), seed)
+        stretches = [own for own in stretches_of(places, HEIGHT)[0] if len(own) >= stretches_module.FEWEST_UNITS]
+        own = stretches[np.random.default_rng(seed).integers(len(stretches))]
+        moved = (chainage >= chainage[own].min()) & (chainage <= chainage[own].max())
+        assert moved.sum() < 2 * len(own), "a stretch is ground of one arm"
+        found = settled(places, moved, seed)
+        most = max(found, key=lambda stretch: stretch[1])[0]
+        assert most.adjusted < 0.01
+        assert abs(most.motion[2] + 0.02) < 2 * most.covariance[2, 2] ** 0.5
+        assert not any(motion.adjusted < 0.05 for motion, share in found if share == 0)

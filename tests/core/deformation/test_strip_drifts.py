@@ -6,6 +6,7 @@ import tracemalloc
 
 import numpy as np
 import pytest
+from curved_structures import line_of, units_along
 from tetratrack.core.deformation.strip_drifts import DriftSystem, Knots, StripDrifts, UnitEquations
 
 HEIGHT, STRIPS = 2.3, 12
@@ -17,7 +18,7 @@ def coast(units: int, length: float, reach: int = STRIPS) -> tuple[Knots, list[U
     rng = np.random.default_rng(units)
     along = np.sort(rng.uniform(0, length, units))
     along[[0, -1]] = 0, length
-    knots = Knots.along(np.column_stack([along, np.zeros((units, 2))]), AXIS, HEIGHT)
+    knots = Knots.along(np.column_stack([along, np.zeros((units, 2))]), HEIGHT)
     assert knots is not None
     equations = []
     for unit, place in enumerate(along):
@@ -109,3 +110,14 @@ def test_variance_of_the_mean_drift_is_what_strips_that_differ_say(groups: int) 
         stated.append(drifts.variances_of_mean(0))
     assert np.mean(stated, axis=0) == pytest.approx(np.square([0.015, 0.01, 0.005]), rel=0.1)
     assert not drifts.variances_of_mean(1).any()
+
+
+def test_arms_of_a_harbour_share_no_knots() -> None:
+    for name in ("L", "U", "head"):
+        places, chainage, straight = units_along(line_of(name), 0)
+        knots, reference = Knots.along(places, HEIGHT), Knots.along(straight, HEIGHT)
+        assert knots is not None
+        assert reference is not None
+        assert abs(knots.count - reference.count) <= 2
+        for k in range(knots.count - 1):
+            assert np.ptp(chainage[knots.first == k]) < 3 * knots.spacing

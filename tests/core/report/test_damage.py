@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from curved_structures import line_of, units_along
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.report.damage import chainage, damage, main_axis
+from tetratrack.core.report.damage import centreline_of, damage
 from tetratrack.core.results.unit_rows import UnitRow
 
 H = 2.0
@@ -34,6 +34,18 @@ def row_of_units() -> list[UnitRow]:
     lengths = [0.0, 0.049, 0.05, 0.099, 0.10, 0.5 * DN, 0.5 * H, DN, H, 3.0]
     rows = [unit(f"U{k}", 3.0 * k, 0.0, length) for k, length in enumerate(lengths)]
     return [*rows, unit("L", 30.0, 0.0, None, "lost"), unit("N", 33.0, 0.0, None, "new"), unit("S", 36.0, 0.0, None, "unseen")]
+
+
+def test_a_structure_that_turns_is_as_wide_as_it_is_long() -> None:
+    """N_od of a harbour's two arms and end: counted along one of them, it would be more than twice as large."""
+    places, along, _ = units_along(line_of("U"), 3)
+    rows = [unit(f"U{k}", *place[:2], 3.0 if k % 10 == 0 else 0.0) for k, place in enumerate(places)]
+    found = damage(rows)
+    assert found.width == pytest.approx(along.max(), rel=0.05)
+    assert len(found.sections) == pytest.approx(along.max() / (10 * DN), abs=2)
+    assert max(section.units for section in found.sections) < 0.1 * len(rows)
+    reference = centreline_of(rows).locate(places)[0]
+    assert np.corrcoef(reference, along)[0, 1] > 0.999
 
 
 def test_counts_by_thresholds_include_lost_units_and_the_limit_itself() -> None:
@@ -69,24 +81,6 @@ def test_sections_hold_every_judged_unit_once() -> None:
 def test_relocated_unit_counts_as_displaced_whatever_its_length() -> None:
     rows = [unit("A", 0, 0, 0.2, "relocated"), unit("B", 3, 0, 0.0)]
     assert {c.count for c in damage(rows).classes} == {1}
-
-
-def test_chainage_on_a_bent_axis_and_beyond_its_ends() -> None:
-    axis = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]])
-    places = np.array([[3.0, 1.0, 5], [10.5, 4.0, 5], [-2.0, 0.5, 5], [9.0, 14.0, 5], [10.2, -0.3, 5]])
-    np.testing.assert_allclose(chainage(places, axis), [3.0, 14.0, -2.0, 24.0, 10.0])
-
-
-def test_main_axis_follows_the_longest_direction() -> None:
-    rng = np.random.default_rng(0)
-    t, s = rng.uniform(-100, 100, 500), rng.uniform(-5, 5, 500)
-    angle = 0.6
-    places = np.column_stack([t * math.cos(angle) - s * math.sin(angle) + 6e5, t * math.sin(angle) + s * math.cos(angle) + 3e6, s])
-    axis = main_axis(places)
-    assert math.atan2(*(axis[1] - axis[0])[::-1]) == pytest.approx(angle, abs=0.01)
-    assert np.linalg.norm(axis[1] - axis[0]) == pytest.approx(200, rel=0.03)
-    along = chainage(places, axis)
-    assert along.min() == pytest.approx(0, abs=1e-6)
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from synthetic_result import features_of, write_points, write_result
-from tetratrack.core.armour.axis import parse_axis
+from tetratrack.core.common.axis import parse_axis
 from tetratrack.core.common.errors import InputError, OutputError
 from tetratrack.core.report import report as report_module
 from tetratrack.core.report.alarms import write_alarms
