@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -64,12 +65,26 @@ def facets(shape: PlacedShape, sides: int = SIDES) -> Facets:
 
     With legs at equal angles the bodies are closed: neighbouring legs share the corners of their crease.
     """
+    gradient, legs = shape.gradient, shape.legs
+    radial, start = _around_legs(np.asarray(legs, dtype=np.float64).tobytes(), gradient, sides)
+    axes = legs[:, None]
+
+    def corners(along: FloatArray) -> FloatArray:
+        """Corners at (4, k) or (1, 1) distances along the legs."""
+        return np.asarray(along[..., None] * axes + (shape.radius - gradient * along)[..., None] * radial)
+
+    normals = (radial + gradient * axes) * (1 / math.hypot(1, gradient))
+    return Facets(corners(shape.radius * start), corners(np.full((1, 1), shape.leg_length)), normals, legs)
+
+
+@lru_cache(maxsize=64)
+def _around_legs(axes: bytes, gradient: float, sides: int) -> tuple[FloatArray, FloatArray]:
+    """Directions (4, k, 3) around legs, whose unit vectors are given as bytes, and (4, k) how far along a leg its crease lies in each, over
+    its radius: the same for units of one kind."""
+    legs = np.frombuffer(axes).reshape(-1, 3)
     azimuth = np.arange(sides) * (2 * math.pi / sides)
-    legs = shape.legs
-    cosine = 1 / math.hypot(1, shape.gradient)
-    root: list[FloatArray] = []
-    rim: list[FloatArray] = []
-    normals: list[FloatArray] = []
+    around: list[FloatArray] = []
+    starts: list[FloatArray] = []
     for k, axis in enumerate(legs):
         others = [m for m in range(len(legs)) if m != k]
         # from the direction to a neighbour on, so that the corners of both legs mirror each other at the crease
@@ -78,11 +93,9 @@ def facets(shape: PlacedShape, sides: int = SIDES) -> Facets:
         radial = np.cos(azimuth)[:, None] * first + np.sin(azimuth)[:, None] * np.cross(axis, first)
         # crease: z a_k.(a_k - a_m) = rho radial.(a_m - a_k) with rho = r - c z, solved for z
         lean = radial @ (legs[others] - axis).T
-        start = np.max(shape.radius * lean / (1 - legs[others] @ axis + shape.gradient * lean), axis=1)
-        for corners, along in ((root, start), (rim, np.full(sides, shape.leg_length))):
-            corners.append(along[:, None] * axis + (shape.radius - shape.gradient * along)[:, None] * radial)
-        normals.append((radial + shape.gradient * axis) * cosine)
-    return Facets(np.array(root), np.array(rim), np.array(normals), legs)
+        starts.append(np.max(lean / (1 - legs[others] @ axis + gradient * lean), axis=1))
+        around.append(radial)
+    return np.array(around), np.array(starts)
 
 
 def triangulated(body: Facets) -> tuple[FloatArray, FloatArray, IntArray]:
@@ -111,11 +124,13 @@ def plan_outline(shape: PlacedShape, directions: int = 48) -> FloatArray:
     directions
         Corners of a leg's outline before the legs are put together.
     """
-    legs = [_Outline.of(_leg_corners(axis, shape, directions)) for axis in shape.legs @ shape.rotation.T]
-    rays = np.unique(np.concatenate([leg.angle for leg in legs]))
+    legs = [_Outline.of(corners) for corners in _leg_corners(shape, directions)]
+    rays, places = np.unique(np.concatenate([leg.angle for leg in legs]), return_inverse=True)
     length = np.array([leg.reach(rays) for leg in legs])
     longest = np.argmax(length, axis=0)
-    corner = np.array([np.isin(rays, leg.angle) for leg in legs])[longest, np.arange(len(rays))]
+    is_corner = np.zeros(length.shape, dtype=np.bool_)
+    is_corner[np.repeat(np.arange(len(legs)), directions), places] = True
+    corner = is_corner[longest, np.arange(len(rays))]
     after = np.roll(rays, -1)
     after[-1] += 2 * math.pi
     crossed = np.flatnonzero(longest != np.roll(longest, -1))
@@ -126,18 +141,18 @@ def plan_outline(shape: PlacedShape, directions: int = 48) -> FloatArray:
     return np.asarray(np.vstack([points, np.reshape(crossings, (-1, 2))])[order] + shape.centre[:2])
 
 
-def _leg_corners(axis: FloatArray, shape: PlacedShape, directions: int) -> FloatArray:
-    """(directions, 2) corners of the outline of one leg from above, metres from the centre, counter-clockwise."""
+def _leg_corners(shape: PlacedShape, directions: int) -> FloatArray:
+    """(4, directions, 2) corners of the outlines of the legs from above, metres from the centre, counter-clockwise."""
     angle = np.arange(directions) * (2 * math.pi / directions)
     outward = np.column_stack([np.cos(angle), np.sin(angle)])
-    along = outward @ axis[:2]
+    axes = (shape.legs @ shape.rotation.T)[:, None, :2]
+    along = np.sum(outward * axes, axis=-1, keepdims=True)
     # the point of a disc farthest in a direction n lies at its radius along the share of n in the disc's plane
-    in_plane = outward - along[:, None] * axis[:2]
-    steep = np.sqrt(np.maximum(1 - along**2, 1e-12))
-    at_root = shape.radius * in_plane / steep[:, None]
-    at_end = shape.leg_length * axis[:2] + (shape.radius - shape.gradient * shape.leg_length) * in_plane / steep[:, None]
-    end_farther = np.sum(outward * at_end, axis=1) > np.sum(outward * at_root, axis=1)
-    return np.where(end_farther[:, None], at_end, at_root)
+    in_plane = (outward - along * axes) / np.sqrt(np.maximum(1 - along**2, 1e-12))
+    at_root = shape.radius * in_plane
+    at_end = shape.leg_length * axes + (shape.radius - shape.gradient * shape.leg_length) * in_plane
+    end_farther = np.sum(outward * (at_end - at_root), axis=-1, keepdims=True) > 0
+    return np.asarray(np.where(end_farther, at_end, at_root))
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,7 +169,9 @@ class _Outline:
         angle = np.arctan2(corners[:, 1], corners[:, 0])
         order = np.argsort(angle)
         corners = corners[order]
-        return cls(corners, angle[order], np.roll(corners, -1, axis=0) - corners)
+        # np.roll takes as long as all else here
+        along = np.concatenate([corners[1:], corners[:1]]) - corners
+        return cls(corners, angle[order], along)
 
     def reach(self, rays: FloatArray) -> FloatArray:
         """(m,) distance from the origin to the outline in directions (m,) in radians from -pi to pi."""
@@ -164,6 +181,8 @@ class _Outline:
         turn = np.cos(rays) * along[:, 1] - np.sin(rays) * along[:, 0]
         # the circle of a level leg is a line through the origin from above: a ray along it ends at its corner
         level = np.abs(turn) < 1e-12
+        if not level.any():
+            return np.asarray(across / turn)
         return np.where(level, np.linalg.norm(start, axis=1), across / np.where(level, 1.0, turn))
 
 
