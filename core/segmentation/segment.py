@@ -13,6 +13,7 @@ from ..model.unit_types import UnitType
 from .aggregation import assign, contested
 from .assembly import poses_from_pairs, poses_from_single_legs
 from .conic_ransac import find_legs
+from .end_discs import legs_of_discs
 from .innermost_layer import innermost_layer
 from .pose_evidence import NUMBER_OF_CELLS, evidence
 from .pose_refinement import refine
@@ -206,7 +207,8 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     likely = score_among(found, poses[:, :3], scene.tolerance, where_bridged(typical_unit(found, scene), found), unit)
     unlikely = likely < CHANCE_SCORE
     active = ~np.isin(owner, np.flatnonzero(~unlikely))
-    candidates = _candidates(scene, active, seed + PASSES, twists=5)
+    discs = poses_from_single_legs(legs_of_discs(scene, active), scene, active, twists=5)
+    candidates = np.vstack([_candidates(scene, active, seed + PASSES, twists=5), refine(discs, scene, active, most=250, sweeps=8)])
     if is_sparse(scene):
         about = refine(poses_about_elements(scene, active, poses[likely >= FOUND_SCORE]), scene, active, most=250, sweeps=8)
         candidates = np.vstack([candidates, about])
