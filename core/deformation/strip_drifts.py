@@ -4,6 +4,9 @@ The deviation of a strip from its offset is a random walk over knots along the s
 trajectory does within a survey, whatever the times of its points. Its rate is learned by restricted maximum likelihood from the
 normal equations of the units, which see every strip where they overlap; without a clear gain strips stay stiff. What all strips of an
 epoch do alike at a place cannot be told here and belongs to the frame: their mean is held at zero knot by knot.
+
+A strip has unknowns from the first knot to the last around units that see it. What the walk does beyond them is eliminated beforehand,
+strip by strip, so that time and memory grow with the structure.
 """
 
 from __future__ import annotations
@@ -12,10 +15,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array, diags_array, eye_array, kron
-from scipy.sparse.linalg import SuperLU, splu
+from scipy.sparse import coo_array, csc_array, eye_array, kron
 
 from ..common.arrays import FloatArray, IntArray, upper_triangle
+from ..common.block_tridiagonal import BlockTridiagonal
 from ..common.centreline import ARM_HEIGHTS, centreline
 from .unit_clouds import Sources
 
@@ -163,27 +166,34 @@ class DriftSystem:
         weak_sd: FloatArray,
         places: Mapping[int, int],
     ) -> None:
-        self.knots, self.strips = knots, len(strip_epoch)
-        self.places = places
-        self.size = 3 * self.strips * knots.count
+        self.knots, self.places = knots, places
         self.strip_epoch, self.weak_sd = strip_epoch, weak_sd
-        self.rhs = np.zeros(self.size)
-        seen = np.zeros((knots.count, self.strips))
         spans: dict[int, list[UnitEquations]] = {}
         for own in equations:
             spans.setdefault(int(knots.first[own.unit]), []).append(own)
+        self.seen = {k: np.unique(np.concatenate([own.strips for own in members])) for k, members in sorted(spans.items())}
+        self.first, self.last = np.full(len(strip_epoch), knots.count), np.full(len(strip_epoch), -1)
+        for k, strips in self.seen.items():
+            self.first[strips] = np.minimum(self.first[strips], k)
+            self.last[strips] = np.maximum(self.last[strips], k + 1)
+        along = np.arange(knots.count)[:, None]
+        self.active = (along >= self.first) & (along <= self.last)
+        self.numbers = np.cumsum(self.active).reshape(self.active.shape) - 1
+        self.starts = np.concatenate([[0], np.cumsum(self.active.sum(axis=1))]).astype(np.int64)
+        self.size = 3 * int(self.starts[-1])
+        self.rhs = np.zeros(self.size)
+        seen = np.zeros(self.active.shape)
+        for own in equations:
             for k, w in knots.weights(own.unit):
                 self.rhs[self.columns(k, own.strips)] += w * own.rhs
                 seen[k, own.strips] += w
-        self.seen = {k: np.unique(np.concatenate([own.strips for own in members])) for k, members in sorted(spans.items())}
         index, values = [np.zeros((2, 0), dtype=np.int64)], [np.zeros(0)]
         for k, strips in self.seen.items():
             block = self._between(spans[k], strips)
             around = self._around(k, strips)
             index.append(np.stack([np.repeat(around, len(around)), np.tile(around, len(around))]))
             values.append(block.ravel())
-        where = np.hstack(index)
-        self.normal = csc_array(coo_array((np.concatenate(values), (where[0], where[1])), shape=(self.size, self.size)))
+        self.normal = _sparse(np.concatenate(values), np.hstack(index), self.size)
         self.gauge = self._gauge(seen)
 
     def _between(self, members: Sequence[UnitEquations], strips: IntArray) -> FloatArray:
@@ -191,81 +201,114 @@ class DriftSystem:
 
         Units are added up before they go into the sparse matrix: their own entries are a hundred times as many as those of the sum.
         """
-        half = 3 * len(strips)
-        total = np.zeros((2 * half, 2 * half))
+        size = 3 * len(strips)
+        first, across, second = sums = np.zeros((3, size, size))
         for own in members:
             local = (3 * np.searchsorted(strips, own.strips)[:, None] + np.arange(3)).ravel()
-            normal = own.normal
-            for i, (_, w) in enumerate(self.knots.weights(own.unit)):
-                for j, (_, v) in enumerate(self.knots.weights(own.unit)):
-                    total[np.ix_(i * half + local, j * half + local)] += w * v * normal
-        return total
+            (_, w), (_, v) = self.knots.weights(own.unit)
+            sums[:, local[:, None], local] += np.array([w * w, w * v, v * v])[:, None, None] * own.normal
+        return np.block([[first, across], [across, second]])
 
     def _around(self, knot: int, strips: IntArray) -> IntArray:
         """Unknowns of some strips at a knot and at the one after it."""
         return np.concatenate([self.columns(knot, strips), self.columns(knot + 1, strips)])
 
     def columns(self, knot: int, strips: IntArray) -> IntArray:
-        """Unknowns of some strips at a knot."""
-        return np.asarray((3 * (knot * self.strips + strips)[:, None] + np.arange(3)).ravel(), dtype=np.int64)
+        """Unknowns of some strips at a knot where they have any."""
+        return np.asarray((3 * self.numbers[knot, strips][:, None] + np.arange(3)).ravel(), dtype=np.int64)
 
     def _gauge(self, seen: FloatArray) -> csc_array:
-        """Condition that the strips of an epoch that are seen at a knot drift by zero in the mean, weighted by how much of them is seen."""
-        rows, columns, values = [], [], []
+        """Condition of one axis that the strips of an epoch that are seen at a knot drift by zero in the mean.
+
+        Weighted by how much of them is seen; where none is, nothing asks for their mean.
+        """
+        rows: list[IntArray] = []
+        columns, values = [], []
         strong = GAUGE_WEIGHT / float(np.median(self.weak_sd)) ** 2
         epochs = [np.flatnonzero(self.strip_epoch == epoch) for epoch in np.unique(self.strip_epoch)]
         for knot in range(self.knots.count):
-            for number, own in enumerate(epochs):
-                total = seen[knot, own].sum()
-                share = seen[knot, own] / total if total > 0 else np.full(len(own), 1 / len(own))
-                rows.append(np.full(len(own), knot * len(epochs) + number))
-                columns.append(knot * self.strips + own)
-                values.append(share)
-        shape = (self.knots.count * len(epochs), self.knots.count * self.strips)
+            for own in epochs:
+                there = own[seen[knot, own] > 0]
+                rows.append(np.full(len(there), len(rows)))
+                columns.append(self.numbers[knot, there])
+                values.append(seen[knot, there] / seen[knot, there].sum())
+        shape = (len(rows), int(self.starts[-1]))
         matrix = csc_array(coo_array((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=shape))
-        return csc_array(kron(strong * (matrix.T @ matrix), eye_array(3)))
+        return csc_array(strong * (matrix.T @ matrix))
 
     def prior(self, rate: float) -> csc_array:
         """Weight matrix of the walk with a ``rate`` in metres per root metre, and of the weak pseudo-observations of zero."""
-        count = self.knots.count
-        steps = diags_array([-np.ones(count - 1), np.ones(count - 1)], offsets=[0, 1], shape=(count - 1, count))
-        walk = (steps.T @ steps) / (rate**2 * self.knots.spacing)
-        weak = np.tile(1 / (count * self.weak_sd**2), count)
-        return csc_array(kron(kron(walk, eye_array(self.strips)), eye_array(3)) + diags_array(np.repeat(weak, 3)) + self.gauge)
+        return csc_array(kron(self._prior_of_axis(rate), eye_array(3)))
+
+    def _prior_of_axis(self, rate: float) -> csc_array:
+        walk, weak, beyond = self._walk(rate)
+        diagonal = np.tile(weak, (self.knots.count, 1))
+        strips = np.flatnonzero(self.last >= 0)
+        first, last = self.first[strips], self.last[strips]
+        diagonal[first, strips] += beyond[first, strips]
+        diagonal[last, strips] += beyond[self.knots.count - 1 - last, strips]
+        on = self.active[:-1] & self.active[1:]
+        diagonal[:-1][on] += walk
+        diagonal[1:][on] += walk
+        here, there, own = self.numbers[:-1][on], self.numbers[1:][on], self.numbers[self.active]
+        step = np.full(len(here), -walk)
+        index = np.stack([np.concatenate([own, here, there]), np.concatenate([own, there, here])])
+        return csc_array(_sparse(np.concatenate([diagonal[self.active], step, step]), index, len(own)) + self.gauge)
+
+    def _walk(self, rate: float) -> tuple[float, FloatArray, FloatArray]:
+        """Weight of a step of the walk, (s,) of zero at a knot, and (knots, s) of zero by so many knots beyond the last unknown."""
+        walk, weak = 1 / (rate**2 * self.knots.spacing), 1 / (self.knots.count * self.weak_sd**2)
+        beyond = np.zeros(self.active.shape)
+        for m in range(1, self.knots.count):
+            beyond[m] = 1 / (1 / walk + 1 / (weak + beyond[m - 1]))
+        return walk, weak, beyond
+
+    def _run_out(self, drifts: FloatArray, rate: float) -> None:
+        """Set (knots, s, 3) drifts where strips have no unknowns to what the walk leads to from those they have."""
+        walk, weak, beyond = self._walk(rate)
+        share = (walk / (walk + weak + beyond))[:, :, None]
+        for m in range(self.knots.count - 2, -1, -1):
+            k = self.knots.count - 1 - m
+            before, after = m < self.first, k > self.last
+            drifts[m, before] = share[m, before] * drifts[m + 1, before]
+            drifts[k, after] = share[m, after] * drifts[k - 1, after]
 
     def rate(self, height: float) -> tuple[float | None, float]:
         """Likeliest rate, None where strips are as likely stiff, and the gain of log-likelihood."""
         scale = height / np.sqrt(10 * height)
-        stiff = self._log_likelihood(1e-3 * RATES[0] * scale)
-        gains = [self._log_likelihood(r * scale) - stiff for r in RATES]
+        stiff = self.log_likelihood(1e-3 * RATES[0] * scale)
+        gains = [self.log_likelihood(r * scale) - stiff for r in RATES]
         best = int(np.argmax(gains))
         return (RATES[best] * scale, gains[best]) if gains[best] > GAIN else (None, gains[best])
 
-    def _log_likelihood(self, rate: float) -> float:
-        prior = self.prior(rate)
-        factor = splu(csc_array(self.normal + prior))
-        return float(0.5 * self.rhs @ factor.solve(self.rhs) - 0.5 * _log_determinant(factor) + 0.5 * _log_determinant(splu(prior)))
+    def log_likelihood(self, rate: float) -> float:
+        """Restricted log-likelihood of a ``rate`` in metres per root metre, less what all rates have alike."""
+        factor = BlockTridiagonal(csc_array(self.normal + self.prior(rate)), 3 * self.starts)
+        # alike by axis
+        prior = 3 * BlockTridiagonal(self._prior_of_axis(rate), self.starts).log_determinant()
+        return float(0.5 * self.rhs @ factor.solve(self.rhs) - 0.5 * factor.log_determinant() + 0.5 * prior)
 
-    def solve(self, rate: float, at: FloatArray) -> tuple[FloatArray, SuperLU]:
+    def solve(self, rate: float, at: FloatArray) -> tuple[FloatArray, BlockTridiagonal]:
         """Change (knots, strips, 3) of drifts that are ``at`` their present values, and the factorised normal matrix."""
         prior = self.prior(rate)
-        factor = splu(csc_array(self.normal + prior))
-        change = factor.solve(self.rhs - prior @ at.ravel())
-        return change.reshape(self.knots.count, self.strips, 3), factor
+        factor = BlockTridiagonal(csc_array(self.normal + prior), 3 * self.starts)
+        drifts = at.copy()
+        drifts[self.active] += factor.solve(self.rhs - prior @ at[self.active].ravel()).reshape(-1, 3)
+        self._run_out(drifts, rate)
+        return drifts - at, factor
 
-    def cofactors(self, factor: SuperLU) -> dict[int, FloatArray]:
+    def cofactors(self, factor: BlockTridiagonal) -> dict[int, FloatArray]:
         """Covariance of the ``seen`` strips at the knots ``k`` and ``k + 1``, by ``k`` before any unit; (6 t, 6 t) each."""
         found = {}
-        for k, strips in self.seen.items():
-            columns = self._around(k, strips)
-            unit = np.zeros((self.size, len(columns)))
-            unit[columns, np.arange(len(columns))] = 1
-            found[k] = np.asarray(factor.solve(unit)[columns])
+        for k, block in factor.inverse_blocks():
+            if k in self.seen:
+                local = self._around(k, self.seen[k]) - 3 * self.starts[k]
+                found[k] = block[np.ix_(local, local)]
         return found
 
     def mean_sds(self, cofactors: Mapping[int, FloatArray]) -> FloatArray:
         """(s, 3) root mean variance of every strip over the knots before units that see it."""
-        total, count = np.zeros((self.strips, 3)), np.zeros((self.strips, 1))
+        total, count = np.zeros((len(self.strip_epoch), 3)), np.zeros((len(self.strip_epoch), 1))
         for k, strips in self.seen.items():
             total[strips] += np.diag(cofactors[k])[: 3 * len(strips)].reshape(-1, 3)
             count[strips] += 1
@@ -282,5 +325,6 @@ class DriftSystem:
         return rows
 
 
-def _log_determinant(factor: SuperLU) -> float:
-    return float(np.sum(np.log(np.abs(factor.U.diagonal()))))
+def _sparse(values: FloatArray, index: IntArray, size: int) -> csc_array:
+    """(size, size) matrix of the sums of values at (2, n) rows and columns."""
+    return csc_array(coo_array((values, (index[0], index[1])), shape=(size, size)))

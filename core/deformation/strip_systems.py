@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -125,7 +126,11 @@ class DriftStep:
     def __init__(self, system: DriftSystem, rate: float, at: FloatArray) -> None:
         self.system = system
         self.step, self.factor = system.solve(rate, at)
-        self.cofactors = system.cofactors(self.factor)
+
+    @cached_property
+    def cofactors(self) -> dict[int, FloatArray]:
+        """Of the strips by span of knots, which the last step alone is asked for."""
+        return self.system.cofactors(self.factor)
 
     def apply(self, values: StripValues) -> float:
         """Take the step; the largest change of a drift."""

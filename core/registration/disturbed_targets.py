@@ -182,7 +182,7 @@ def _robust_start(surveyed: FloatArray, measured: FloatArray, variances: FloatAr
 
 
 def triples(count: int, ranks: IntArray) -> IntArray:
-    """(k, 3) triples of the numbers below ``count`` by their (k,) ranks in lexicographic order (Knuth, TAOCP 4A, 7.2.1.3)."""
+    """(k, 3) triples of the numbers below ``count`` by their (k,) ranks in lexicographic order (Knuth, 2011, 7.2.1.3)."""
     numbers = range(count + 1)
     left = math.comb(count, 3) - 1 - ranks
     found = np.empty((len(ranks), 3), dtype=np.int64)
