@@ -151,10 +151,8 @@ def _read_layer(path: Path, layer: str, crs: ResultCrs, remedy: str) -> tuple[li
             parts.append(shapely.get_coordinates(part, include_z=True))
             kept.append(row)
     transform: Callable[[FloatArray], FloatArray] | None = None
-    if crs.epsg is not None and meta["crs"]:
-        transform = horizontal_transform(meta["crs"], f"EPSG:{crs.epsg}", source=path)
-    elif crs.definition not in ("", "undefined", LOCAL) and meta["crs"] and crs.definition.startswith(("PROJ", "COMP")):
-        transform = horizontal_transform(meta["crs"], crs.definition, source=path)
+    if crs.text != LOCAL and meta["crs"]:
+        transform = horizontal_transform(meta["crs"], crs.text, source=path)
     if transform is not None:
         parts = [np.column_stack([transform(part[:, :2]), part[:, 2]]) for part in parts]
     return kept, parts

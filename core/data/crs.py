@@ -187,6 +187,19 @@ def resolved_crs(
     return declared.crs, ""
 
 
+def wkt_of(crs: CRS) -> tuple[str, bool]:
+    """WKT that most programs read, and whether its first version (OGC 01-009) can say this CRS; else it is ISO 19162:2019.
+
+    Heights of their own, derived projected CRS and some projections are known to the later version alone.
+    """
+    from pyproj.exceptions import CRSError
+
+    try:
+        return str(crs.to_wkt("WKT1_GDAL")), True
+    except CRSError:
+        return str(crs.to_wkt()), False
+
+
 def ground_scale(survey_crs: str, easting: float, northing: float) -> tuple[float, float, str] | None:
     """Least and largest scale of the grid at a place (grid over ground), and the UTM zone there; None where the place has none.
 

@@ -74,7 +74,8 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
     """
     choice = frame_choice(frame)
     check_targets([(output, "the result")], [units, *registrations])
-    check_output(output)
+    crs = crs_of_layer(units)
+    check_output(output, crs)
     with foreign_contents(units):
         epochs, fits, kinds, origin = _fitted_epochs(units, registrations, feedback)
     labels = [epoch.label for epoch in epochs]
@@ -108,7 +109,7 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
         "frame_errors": frame_error_rows(result, epochs, max(unit.height for unit in types), origin),
         "stretches": stretch_rows(result.pairs, epochs, origin, limits["significance"]),
     }
-    write_result(output, crs_of_layer(units), tables)
+    write_result(output, crs, tables)
     return {
         "output": str(output),
         "units": len(names),

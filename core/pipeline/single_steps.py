@@ -49,8 +49,8 @@ def run_validate(features: Path, check: Path, picks: Path | None, epoch: str | N
     from ..deformation.validation import check_residuals, read_check, read_picks, residual_rows, summarise
 
     check_targets([(output, "the result")], [features, check, *([] if picks is None else [picks])])
-    check_output(output)
     by_epoch, crs = _read_features(features)
+    check_output(output, crs)
     if not by_epoch:
         raise InputError(
             "holds no feature points, so there is nothing to compare",

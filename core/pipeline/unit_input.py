@@ -11,7 +11,7 @@ import numpy as np
 
 from ..common.errors import InputError
 from ..common.feedback import Feedback
-from ..data.crs import LOCAL, check_same_crs
+from ..data.crs import check_same_crs
 from ..data.survey import Survey, SurveyUnit
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
@@ -134,10 +134,7 @@ def _given_unit(row: Mapping[str, Any], kind: int, pose: Pose) -> GivenUnit:
 
 def crs_of_layer(path: Path, layer: str = "units") -> str:
     """CRS of a layer of a GeoPackage, as survey.toml writes it."""
-    crs = crs_of(path, layer)
-    if crs.epsg is not None:
-        return f"EPSG:{crs.epsg}"
-    return LOCAL if crs.definition == "undefined" else crs.definition
+    return crs_of(path, layer).text
 
 
 def unit_of(row: Mapping[str, Any], source: Path) -> UnitType:

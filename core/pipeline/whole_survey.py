@@ -55,7 +55,7 @@ SHARES = {"read": 0.03, "fit": 0.82, "track": 0.14, "write": 0.01}
 def run_register(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
     """Step ``register``: transformation of each epoch's cloud to survey control, and the residuals."""
     check_targets([(output, "the result")], survey.files)
-    check_output(output)
+    check_output(output, survey.crs)
     plans = plan_survey(survey, feedback.part(0, 0.5))
     record = record_run(survey, options.seed, {"step": "register"})
     registrations = register_epochs(survey, plans, feedback.part(0.5, 1))
@@ -99,7 +99,8 @@ def run_features(
     check_targets([(output, "the result")], [units])
     if leg_length is not None:
         check_number("unit", "leg_length", leg_length)
-    check_output(output)
+    crs = crs_of_layer(units)
+    check_output(output, crs)
     is_result = table_names(units, ("units",)) >= set(REQUIRED)
     sizes = unit_sizes(read_epochs(units)) if end_discs and is_result else ()
     tables: Tables = {"units": [], "feature_points": []}
@@ -118,7 +119,7 @@ def run_features(
             name, epoch, time = str(row["unit_id"]), str(row["epoch"]), row.get("epoch_time")
             unseen = [None] * len(FEATURES)
             tables["feature_points"] += feature_rows(name, epoch, time, pose, unit, covariance, unseen, end_discs=end_discs)
-    write_result(output, crs_of_layer(units), tables)
+    write_result(output, crs, tables)
     return {"output": str(output), "features": len(tables["feature_points"])}
 
 
@@ -145,7 +146,7 @@ def run_survey(
         The user ended the run; nothing is written.
     """
     check_targets([(output, "the result")], survey.files)
-    check_output(output)
+    check_output(output, survey.crs)
     with processes or processes_for(options.workers, options.scheduler) as own:
         # every epoch is a job or more
         own.start(len(survey.epochs))
@@ -218,7 +219,7 @@ def _run(survey: Survey, output: Path, options: RunOptions, feedback: Feedback, 
 def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
     """Step ``segment``: units with approximate poses, in the frame of each epoch's cloud."""
     check_targets([(output, "the result")], survey.files)
-    check_output(output)
+    check_output(output, survey.crs)
     plans = plan_survey(survey, feedback.part(0, 0.05))
     record = record_run(survey, options.seed, {"step": "segment"})
     with job_runner(output, options, feedback) as runner:
@@ -237,7 +238,7 @@ def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Fee
 def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
     """Step ``fit``: adjusted units and feature points in the frame of each epoch's cloud, from given poses or from the points alone."""
     check_targets([(output, "the result")], [*survey.files, *([] if units is None else [units])])
-    check_output(output)
+    check_output(output, survey.crs)
     given = None if units is None else read_given_units(units, survey)
     plans = plan_survey(survey, feedback.part(0, 0.05))
     if units is not None and given is not None:

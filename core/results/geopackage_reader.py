@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import sqlite3
 import struct
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -25,6 +26,11 @@ from .field_checks import FARTHEST, TYPES, always_there, check_records, layer_of
 from .result_access import CHANGED, REQUIRED, patiently, reading
 
 Row = dict[str, Any]
+
+WKT2_COLUMN = "definition_12_063"
+"""Field of ``gpkg_spatial_ref_sys`` for WKT of ISO 19162 (OGC 12-128r18, annex F.10)."""
+_STATED = re.compile("PROJ|GEOG|GEOD|COMP|BOUND|DERIVEDPROJ")
+"""Start of WKT of a place on earth, of both versions; a local frame has another, or none."""
 
 SELECT_ALL: Mapping[str, str] = {
     "units": "SELECT * FROM units",
@@ -316,7 +322,7 @@ class ResultCrs:
     name
         As the file names it.
     epsg
-        EPSG code; None for a local frame or a compound CRS without a code.
+        EPSG code; None for a local frame or a CRS without a code.
     definition
         WKT, or ``undefined``.
     """
@@ -324,6 +330,16 @@ class ResultCrs:
     name: str
     epsg: int | None
     definition: str
+
+    @property
+    def text(self) -> str:
+        """As survey.toml writes it: a code, WKT, or LOCAL."""
+        # QGIS's process reads results too, and loads nothing of the survey's data
+        from ..data.crs import LOCAL
+
+        if self.epsg is not None:
+            return f"EPSG:{self.epsg}"
+        return self.definition if _STATED.match(self.definition) else LOCAL
 
 
 def crs_of(path: Path, layer: str | None = None) -> ResultCrs:
@@ -334,11 +350,16 @@ def crs_of(path: Path, layer: str | None = None) -> ResultCrs:
     if row is None:
         return ResultCrs("", None, "undefined")
     known = str(row["organization"]).upper() == "EPSG"
+    return ResultCrs(str(row["srs_name"]), int(row["organization_coordsys_id"]) if known else None, definition_of(row))
+
+
+def definition_of(row: sqlite3.Row) -> str:
+    """WKT of a row of ``gpkg_spatial_ref_sys``, or ``undefined``."""
     definition = str(row["definition"])
-    if definition == "undefined" and "definition_12_063" in row.keys():  # noqa: SIM118 - a row of SQLite iterates over its values
+    if definition == "undefined" and WKT2_COLUMN in row.keys():  # noqa: SIM118 - a row of SQLite iterates over its values
         # where WKT of the first version cannot say it, as with heights of their own
-        definition = str(row["definition_12_063"])
-    return ResultCrs(str(row["srs_name"]), int(row["organization_coordsys_id"]) if known else None, definition)
+        definition = str(row[WKT2_COLUMN])
+    return definition
 
 
 def now_utc() -> str:

@@ -20,11 +20,11 @@ import numpy as np
 
 from ..common.atomic_files import cannot_write, replace_durably, temporary_beside
 from ..common.errors import InputError, OutputError
-from ..data.crs import LOCAL, parse_crs
+from ..data.crs import LOCAL, parse_crs, wkt_of
 from .epoch_ends import with_epoch_ends
-from .geopackage_reader import ResultCrs, add_indices, encode_geometry, now_utc, parse_settings
+from .geopackage_reader import ResultCrs, add_indices, definition_of, encode_geometry, now_utc, parse_settings
 from .result_access import connect, reading
-from .result_replacement import put_in_place, quoted, rehearse, style_mark
+from .result_replacement import add_wkt2, put_in_place, quoted, rehearse, style_mark
 from .schema import LAYERS, Field, Layer
 from .unit_bodies import BODIES, body_rows
 from .unit_sizes import sizes_of_settings
@@ -74,8 +74,8 @@ _REFERENCE_SYSTEMS = (
 )
 
 
-def check_output(path: str | Path) -> None:
-    """Find out before any work whether a result can be written.
+def check_output(path: str | Path, survey_crs: str = LOCAL) -> None:
+    """Find out before any work whether a result in the survey's CRS can be written.
 
     Raises
     ------
@@ -86,8 +86,9 @@ def check_output(path: str | Path) -> None:
     target = Path(path).absolute()
     _check_place(target)
     with temporary_beside(target) as temporary:
+        # written even where nothing is to be replaced: a CRS that cannot be stated is found out now, not after hours
+        _write_file(temporary, survey_crs, {}, {}, _reference_ids(target) if target.exists() else {})
         if target.exists():
-            _write_file(temporary, LOCAL, {}, {})
             rehearse(temporary, target, _computed({}))
 
 
@@ -170,12 +171,11 @@ def write_beside(path: Path, crs: ResultCrs, layers: Mapping[str, Layer], tables
     """
     if not path.parent.is_dir():
         raise OutputError("cannot be written (its folder does not exist)", source=path, remedy="Choose a folder that exists.")
-    definition = LOCAL if crs.epsg is None and not crs.definition.startswith(("PROJ", "GEOG", "COMP", "BOUND")) else crs.definition
     styles = {name: style.read_text(encoding="utf-8") for name in layers if (style := STYLES / f"{name}.qml").is_file()}
     try:
         with temporary_beside(path.absolute()) as temporary:
             with closing(sqlite3.connect(temporary, isolation_level=None)) as connection:
-                _build(connection, f"EPSG:{crs.epsg}" if crs.epsg else definition, tables, styles, {}, layers)
+                _build(connection, crs.text, tables, styles, {}, layers)
             replace_durably(temporary, path.absolute())
     except (sqlite3.Error, OSError) as error:
         raise cannot_write(path, error) from error
@@ -189,8 +189,8 @@ def _computed(tables: Mapping[str, Sequence[Row]]) -> tuple[str, ...]:
 def _reference_ids(earlier: Path) -> dict[int, str]:
     """Definition by number of the reference systems in an earlier result."""
     with reading(earlier) as connection:
-        rows = connection.execute("SELECT srs_id, definition FROM gpkg_spatial_ref_sys").fetchall()
-    return {int(row["srs_id"]): str(row["definition"]) for row in rows}
+        rows = connection.execute("SELECT * FROM gpkg_spatial_ref_sys").fetchall()
+    return {int(row["srs_id"]): definition_of(row) for row in rows}
 
 
 def upper_triangle(matrix: Any) -> str:
@@ -252,10 +252,14 @@ def _add_reference_system(connection: sqlite3.Connection, survey_crs: str, taken
     crs = parse_crs(survey_crs)
     authority = crs.to_authority(min_confidence=100)
     organisation, code = (authority[0], int(authority[1])) if authority and authority[1].isdigit() else ("NONE", _OWN_SRS)
-    definition = crs.to_wkt("WKT1_GDAL")
+    definition, first_version = wkt_of(crs)
     srs = code if organisation == "EPSG" else next(k for k in count(_OWN_SRS) if taken.get(k, definition) == definition)
     if srs != 4326:
-        connection.execute("INSERT INTO gpkg_spatial_ref_sys VALUES (?, ?, ?, ?, ?, '')", (crs.name, srs, organisation, code, definition))
+        stated = (crs.name, srs, organisation, code, definition if first_version else "undefined")
+        connection.execute("INSERT INTO gpkg_spatial_ref_sys VALUES (?, ?, ?, ?, ?, '')", stated)
+    if not first_version:
+        add_wkt2(connection)
+        connection.execute("UPDATE gpkg_spatial_ref_sys SET definition_12_063 = ? WHERE srs_id = ?", (definition, srs))
     return srs
 
 

@@ -18,7 +18,7 @@ from pathlib import Path
 from ..common.atomic_files import cannot_write, replace_durably
 from ..common.errors import OutputError
 from ..common.paths import sqlite_address
-from .geopackage_reader import add_spatial_functions
+from .geopackage_reader import WKT2_COLUMN, add_spatial_functions
 from .result_access import BUSY_SECONDS, connect, is_writable
 from .schema import LAYERS
 
@@ -126,7 +126,7 @@ def _exchange(finished: Path, target: Path, computed: Collection[str], patience:
                 _exchange_layer(connection, name, target)
             _complete_other_layers(connection, computed)
             _exchange_styles(connection)
-            connection.execute("INSERT OR IGNORE INTO main.gpkg_spatial_ref_sys SELECT * FROM finished.gpkg_spatial_ref_sys")
+            _add_reference_systems(connection)
             yield
             connection.execute("COMMIT")
         except BaseException:
@@ -240,6 +240,41 @@ def _exchange_styles(connection: sqlite3.Connection) -> None:
         "description, owner FROM finished.layer_styles AS new WHERE NOT EXISTS "
         "(SELECT 1 FROM main.layer_styles AS kept WHERE kept.f_table_name = new.f_table_name AND kept.styleName = new.styleName)"
     )
+
+
+def add_wkt2(connection: sqlite3.Connection) -> None:
+    """Give the reference systems of a GeoPackage the field for WKT of the second version, where they lack it (extension CRS WKT)."""
+    if WKT2_COLUMN in _columns(connection, "main", "gpkg_spatial_ref_sys"):
+        return
+    connection.execute(f"ALTER TABLE main.gpkg_spatial_ref_sys ADD COLUMN {WKT2_COLUMN} TEXT NOT NULL DEFAULT 'undefined'")
+    connection.execute(
+        "CREATE TABLE IF NOT EXISTS main.gpkg_extensions (table_name TEXT, column_name TEXT, extension_name TEXT NOT NULL, "
+        "definition TEXT NOT NULL, scope TEXT NOT NULL, CONSTRAINT ge_tce UNIQUE (table_name, column_name, extension_name))"
+    )
+    connection.execute(
+        "INSERT OR IGNORE INTO main.gpkg_extensions VALUES ('gpkg_spatial_ref_sys', ?, 'gpkg_crs_wkt', "
+        "'http://www.geopackage.org/spec130/#extension_crs_wkt', 'read-write')",
+        (WKT2_COLUMN,),
+    )
+
+
+def _add_reference_systems(connection: sqlite3.Connection) -> None:
+    """Add those of the finished file that are not there yet; one of the two files may lack the field for WKT of the second version."""
+    names = _columns(connection, "finished", "gpkg_spatial_ref_sys")
+    if WKT2_COLUMN in names:
+        add_wkt2(connection)
+    fields = [name for name in names if name in _columns(connection, "main", "gpkg_spatial_ref_sys")]
+    values = list(fields)
+    if WKT2_COLUMN in _columns(connection, "main", "gpkg_spatial_ref_sys") and WKT2_COLUMN not in names:
+        fields, values = [*fields, WKT2_COLUMN], [*values, "'undefined'"]
+    connection.execute(
+        f"INSERT OR IGNORE INTO main.gpkg_spatial_ref_sys ({', '.join(fields)}) "  # noqa: S608  # nosec B608 - names of the standard
+        f"SELECT {', '.join(values)} FROM finished.gpkg_spatial_ref_sys"
+    )
+
+
+def _columns(connection: sqlite3.Connection, database: str, table: str) -> list[str]:
+    return [str(row[1]) for row in connection.execute(f"PRAGMA {database}.table_info({quoted(table)})")]
 
 
 def _free_name(target: Path) -> Path:

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ..common.arrays import FloatArray
+from ..data.crs import parse_crs, wkt_of
 from .survey_plan import SimulationPlan
 from .virtual_scanner import Returns
 
@@ -35,7 +36,6 @@ def write_las(path: Path, points: FloatArray, cloud: Returns, plan: SimulationPl
     """Write one tile: LAS 1.4 of point format 6 with the CRS of the plan, compressed by the ending of the name."""
     import laspy
     from laspy.vlrs.known import WktCoordinateSystemVlr
-    from pyproj import CRS
 
     header = laspy.LasHeader(version="1.4", point_format=6)
     scale, block = (0.0001, 1.0) if plan.laboratory else (0.001, 100.0)
@@ -45,7 +45,7 @@ def write_las(path: Path, points: FloatArray, cloud: Returns, plan: SimulationPl
     header.creation_date = time.date()
     header.global_encoding.gps_time_type = laspy.header.GpsTimeType.STANDARD
     header.global_encoding.wkt = True
-    wkt = LOCAL_WKT if plan.crs == "LOCAL" else CRS.from_user_input(plan.las_crs or plan.crs).to_wkt("WKT1_GDAL")
+    wkt = LOCAL_WKT if plan.crs == "LOCAL" else wkt_of(parse_crs(plan.las_crs or plan.crs))[0]
     header.vlrs.append(WktCoordinateSystemVlr(wkt))
     las = laspy.LasData(header)
     las.x, las.y, las.z = points[:, 0], points[:, 1], points[:, 2]

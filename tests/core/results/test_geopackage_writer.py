@@ -11,11 +11,25 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tetratrack.core.common.errors import OutputError
+from tetratrack.core.data.crs import parse_crs
 from tetratrack.core.results import geopackage_writer as geopackage
-from tetratrack.core.results.geopackage_reader import read_layer_rows
-from tetratrack.core.results.geopackage_writer import check_output, from_upper_triangle, upper_triangle, write_geopackage
+from tetratrack.core.results.geopackage_reader import crs_of, read_layer_rows
+from tetratrack.core.results.geopackage_writer import check_output, from_upper_triangle, upper_triangle, write_beside, write_geopackage
 from tetratrack.core.results.schema import LAYERS, markdown
 
+SITE_GRID = (
+    'DERIVEDPROJCRS["site",BASEPROJCRS["WGS 84 / UTM zone 50N",BASEGEOGCRS["WGS 84",DATUM["World Geodetic System 1984",'
+    'ELLIPSOID["WGS 84",6378137,298.257223563]]],CONVERSION["UTM zone 50N",METHOD["Transverse Mercator"],'
+    'PARAMETER["Latitude of natural origin",0,ANGLEUNIT["degree",0.0174532925199433]],'
+    'PARAMETER["Longitude of natural origin",117,ANGLEUNIT["degree",0.0174532925199433]],'
+    'PARAMETER["Scale factor at natural origin",0.9996],PARAMETER["False easting",500000,LENGTHUNIT["metre",1]],'
+    'PARAMETER["False northing",0,LENGTHUNIT["metre",1]]]],DERIVINGCONVERSION["shift",METHOD["Affine parametric transformation"],'
+    'PARAMETER["A0",-400000,LENGTHUNIT["metre",1]],PARAMETER["A1",1,SCALEUNIT["coefficient",1]],'
+    'PARAMETER["A2",0,SCALEUNIT["coefficient",1]],PARAMETER["B0",-3000000,LENGTHUNIT["metre",1]],'
+    'PARAMETER["B1",0,SCALEUNIT["coefficient",1]],PARAMETER["B2",1,SCALEUNIT["coefficient",1]]],CS[Cartesian,2],'
+    'AXIS["easting",east,LENGTHUNIT["metre",1]],AXIS["northing",north,LENGTHUNIT["metre",1]]]'
+)
+"""A grid of the site's own, laid on UTM."""
 TIME = datetime(2025, 3, 14, 2, 30, tzinfo=UTC)
 PLACE = np.array([500_000.25, 3_500_000.5, 2.125])
 
@@ -92,6 +106,42 @@ def test_geopandas_reads_it(tmp_path: Path, crs: str) -> None:
         assert units.crs.is_compound == ("+" in crs)
         assert flat.to_epsg() == 32650
     assert geopandas.read_file(path, layer="displacements").significant.dtype == bool
+
+
+@pytest.mark.parametrize("text", ["EPSG:6250", "EPSG:9895", SITE_GRID], ids=["code", "heights", "derived"])
+def test_a_crs_that_wkt_of_the_first_version_cannot_say(tmp_path: Path, text: str) -> None:
+    import geopandas
+    from pyproj import CRS
+
+    path = tmp_path / "r.gpkg"
+    check_output(path, text)
+    write_geopackage(path, text, _rows())
+    assert CRS.from_user_input(crs_of(path).text) == CRS.from_user_input(text)
+    read = geopandas.read_file(path, layer="units").crs
+    assert read.to_epsg() == CRS.from_user_input(text).to_epsg()
+    assert read.name == CRS.from_user_input(text).name
+    write_beside(tmp_path / "beside.gpkg", crs_of(path), {"units": LAYERS["units"]}, {})
+    assert crs_of(tmp_path / "beside.gpkg", "units") == crs_of(path)
+
+
+def test_results_with_and_without_wkt_of_the_second_version_replace_one_another(tmp_path: Path) -> None:
+    path = tmp_path / "r.gpkg"
+    for text in ("EPSG:32650", SITE_GRID, "EPSG:32650", SITE_GRID, "EPSG:9895", "LOCAL"):
+        check_output(path, text)
+        write_geopackage(path, text, _rows())
+        assert parse_crs(crs_of(path).text) == parse_crs(text) if text != "LOCAL" else crs_of(path).text == text
+    with closing(sqlite3.connect(path)) as connection:
+        assert connection.execute("SELECT count(*) FROM gpkg_spatial_ref_sys WHERE srs_id >= 100000").fetchone() == (1,)
+        assert connection.execute("SELECT extension_name FROM gpkg_extensions").fetchall() == [("gpkg_crs_wkt",)]
+
+
+def test_a_crs_that_cannot_be_stated_is_found_out_before_the_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def no_wkt(_: object) -> None:
+        raise ValueError("cannot be stated")
+
+    monkeypatch.setattr(geopackage, "wkt_of", no_wkt)
+    with pytest.raises(ValueError, match="cannot be stated"):
+        check_output(tmp_path / "r.gpkg", "EPSG:32650")
 
 
 def test_unknown_field_and_naive_time_are_programming_errors(tmp_path: Path) -> None:
