@@ -50,7 +50,7 @@ def run_validate(features: Path, check: Path, picks: Path | None, epoch: str | N
 
     check_targets([(output, "the result")], [features, check, *([] if picks is None else [picks])])
     by_epoch, crs = _read_features(features)
-    check_output(output, crs)
+    check_output(output, crs, step=("check_residuals",))
     if not by_epoch:
         raise InputError(
             "holds no feature points, so there is nothing to compare",

@@ -55,7 +55,7 @@ SHARES = {"read": 0.03, "fit": 0.82, "track": 0.14, "write": 0.01}
 def run_register(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
     """Step ``register``: transformation of each epoch's cloud to survey control, and the residuals."""
     check_targets([(output, "the result")], survey.files)
-    check_output(output, survey.crs)
+    check_output(output, survey.crs, step=("control_residuals", "epochs"))
     plans = plan_survey(survey, feedback.part(0, 0.5))
     record = record_run(survey, options.seed, {"step": "register"})
     registrations = register_epochs(survey, plans, feedback.part(0.5, 1))
@@ -100,7 +100,7 @@ def run_features(
     if leg_length is not None:
         check_number("unit", "leg_length", leg_length)
     crs = crs_of_layer(units)
-    check_output(output, crs)
+    check_output(output, crs, step=("units", "feature_points"))
     is_result = table_names(units, ("units",)) >= set(REQUIRED)
     sizes = unit_sizes(read_epochs(units)) if end_discs and is_result else ()
     tables: Tables = {"units": [], "feature_points": []}
@@ -219,7 +219,7 @@ def _run(survey: Survey, output: Path, options: RunOptions, feedback: Feedback, 
 def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
     """Step ``segment``: units with approximate poses, in the frame of each epoch's cloud."""
     check_targets([(output, "the result")], survey.files)
-    check_output(output, survey.crs)
+    check_output(output, survey.crs, step=("units", "epochs"))
     plans = plan_survey(survey, feedback.part(0, 0.05))
     record = record_run(survey, options.seed, {"step": "segment"})
     with job_runner(output, options, feedback) as runner:
@@ -238,7 +238,7 @@ def run_segment(survey: Survey, output: Path, options: RunOptions, feedback: Fee
 def run_fit(survey: Survey, units: Path | None, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
     """Step ``fit``: adjusted units and feature points in the frame of each epoch's cloud, from given poses or from the points alone."""
     check_targets([(output, "the result")], [*survey.files, *([] if units is None else [units])])
-    check_output(output, survey.crs)
+    check_output(output, survey.crs, step=("units", "feature_points", "epochs"))
     given = None if units is None else read_given_units(units, survey)
     plans = plan_survey(survey, feedback.part(0, 0.05))
     if units is not None and given is not None:

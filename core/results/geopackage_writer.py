@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import math
 import sqlite3
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import closing
 from datetime import UTC, datetime
 from itertools import count
@@ -37,6 +37,8 @@ GEOMETRY = "geometry"
 """Key of a row's geometry: (3,) for points, (k, 3) for lines and polygons, blocks of faces (m, k, 3) for surfaces; absent or None for
 a row without one."""
 
+NEVER_EMPTIED = ("units", "feature_points", "displacements", "displacements_other", "control_residuals", "check_residuals")
+"""Layers whose rows a single step that computes none of them does not replace by nothing."""
 _APPLICATION_ID = 0x47504B47
 _USER_VERSION = 10300
 _LOCAL_SRS, _OWN_SRS = -1, 100000
@@ -74,17 +76,28 @@ _REFERENCE_SYSTEMS = (
 )
 
 
-def check_output(path: str | Path, survey_crs: str = LOCAL) -> None:
+def check_output(path: str | Path, survey_crs: str = LOCAL, *, step: Collection[str] | None = None) -> None:
     """Find out before any work whether a result in the survey's CRS can be written.
+
+    Parameters
+    ----------
+    path
+        Target.
+    survey_crs
+        As in survey.toml.
+    step
+        Layers that a single step computes; None for a whole run.
 
     Raises
     ------
     OutputError
         The folder is missing or read-only, the path is a folder or a file that tetratrack did not write, or an earlier result there is
-        locked, read-only, or holds what a user added and a new run would lose.
+        locked, read-only, or holds what a user added and a new run would lose, or what a single step would replace by nothing.
     """
     target = Path(path).absolute()
     _check_place(target)
+    if step is not None and target.exists():
+        _check_nothing_emptied(target, step)
     with temporary_beside(target) as temporary:
         # written even where nothing is to be replaced: a CRS that cannot be stated is found out now, not after hours
         _write_file(temporary, survey_crs, {}, {}, _reference_ids(target) if target.exists() else {})
@@ -104,6 +117,21 @@ def _check_place(target: Path) -> None:
             raise OutputError(
                 f"exists and is no result of tetratrack ({error.problem})", source=target, remedy="Choose another name for the new result."
             ) from error
+
+
+def _check_nothing_emptied(target: Path, step: Collection[str]) -> None:
+    with reading(target) as connection:
+        present = {str(row["name"]) for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+        for name in NEVER_EMPTIED:
+            if name in step or name not in present:
+                continue
+            (rows,) = connection.execute(f"SELECT count(*) FROM {quoted(name)}").fetchone()  # noqa: S608  # nosec B608 - a constant
+            if rows:
+                raise OutputError(
+                    f"holds a result whose layer {name} ({rows} rows) this step does not compute and would empty",
+                    source=target,
+                    remedy="Choose another name for the output of a single step.",
+                )
 
 
 def write_result(path: str | Path, survey_crs: str, tables: Mapping[str, Sequence[Row]]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -15,6 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from las_files import grid_points, write_las
+from synthetic_result import write_result as write_synthetic
 from tetratrack.core.results.geopackage_reader import read_layer_rows
 from tetratrack.core.results.schema import LAYERS
 from tetratrack.scripts.cli import app
@@ -149,6 +151,31 @@ def test_bad_outputs(site: Path) -> None:
     (site / "out" / "other.gpkg").write_text("other")
     _refused(site, [*base, site / "out" / "other.gpkg"], "exists and is no result of tetratrack")
     _refused(site, [*_run(site), "--log-file", site / "none" / "log.txt"], "log.txt: cannot be written")
+
+
+def test_a_single_step_does_not_empty_a_result(site: Path) -> None:
+    result, given = site / "out" / "result.gpkg", site / "given.gpkg"
+    write_synthetic(result, 6, 2)
+    shutil.copy(result, given)
+    (site / "check.csv").write_text("point_id,easting,northing,height,sd_e,sd_n,sd_h,unit_id,feature\n")
+    survey, before = _survey(site), result.read_bytes()
+    for step, layer in (
+        (["register", survey], "units"),
+        (["segment", survey], "feature_points"),
+        (["fit", survey], "displacements"),
+        (["features", given], "displacements"),
+        (["validate", given, "--check", site / "check.csv"], "units"),
+    ):
+        _refused(site, [*step, "--output", result], f"holds a result whose layer {layer} (", "Choose another name for the output of a")
+    assert result.read_bytes() == before
+
+
+def test_a_single_step_replaces_what_it_wrote_before(site: Path) -> None:
+    given, output = site / "given.gpkg", site / "out" / "features.gpkg"
+    write_synthetic(given, 6, 2)
+    for _ in range(2):
+        result = CliRunner().invoke(app, ["features", str(given), "--output", str(output), "--quiet"])
+        assert result.exit_code == 0, result.output
 
 
 def test_no_dask_scheduler(site: Path) -> None:
