@@ -16,7 +16,7 @@ from ..common.errors import InputError, OutputError
 from ..common.output_files import check_targets
 from ..results.comparison_layers import PLAN_LAYERS, PROFILE_LAYERS, SECTION_LAYERS
 from ..results.geopackage_reader import crs_of, read_layer_rows
-from ..results.geopackage_writer import write_beside
+from ..results.geopackage_writer import check_beside, write_beside
 from ..results.schema import Layer
 from ..review.point_index import PointIndex, index_folder
 from .as_built import AsBuilt, read_as_built
@@ -175,9 +175,9 @@ def write_design_comparison(result: Path, output: Path, design: Design, epoch: s
     InputError
         As :func:`compare_design`.
     OutputError
-        The file cannot be written.
+        The file cannot be written, or holds anything else than an earlier comparison of this kind.
     """
-    _check(output, result, [design.plan, design.profile])
+    _check(output, result, [design.plan, design.profile], (*PLAN_LAYERS, *PROFILE_LAYERS))
     found = compare_design(result, design, epoch)
     tables: dict[str, Sequence[Mapping[str, Any]]] = {}
     layers: list[Layer] = []
@@ -239,9 +239,9 @@ def write_profiles(result: Path, output: Path, *, axis: FloatArray | None = None
     InputError
         As :func:`profiles`, or the index is damaged.
     OutputError
-        The file cannot be written.
+        The file cannot be written, or holds anything else than an earlier comparison of this kind.
     """
-    _check(output, result, [profile])
+    _check(output, result, [profile], SECTION_LAYERS)
     folder = index_folder(result)
     clouds = PointIndex(folder).clouds if (folder / "index.json").is_file() else no_clouds
     found = profiles(result, clouds=clouds, axis=axis, step=step, profile=profile)
@@ -250,10 +250,11 @@ def write_profiles(result: Path, output: Path, *, axis: FloatArray | None = None
     return found
 
 
-def _check(output: Path, result: Path, sources: Sequence[str]) -> None:
+def _check(output: Path, result: Path, sources: Sequence[str], layers: Sequence[Layer]) -> None:
     if output.suffix.lower() != ".gpkg":
         raise OutputError("cannot be written in that form", source=output, remedy="End the name in .gpkg.")
     check_targets([(output, "the comparison")], [result, *(split_source(source)[0] for source in sources if source)])
+    check_beside(output, layers)
 
 
 def _models(result: Path) -> list[AsBuilt]:

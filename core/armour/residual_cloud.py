@@ -10,7 +10,7 @@ import numpy as np
 from ..common.arrays import FloatArray, IntArray
 from ..common.atomic_files import write_whole
 from ..common.errors import InputError, OutputError
-from ..common.output_files import check_targets
+from ..common.output_files import check_own, check_targets
 from ..model.tetrapod import distance_to_surface
 from ..results.geopackage_reader import ResultCrs
 from ..review.point_index import PointIndex, index_folder
@@ -24,6 +24,8 @@ FAR = 10.0
 INSIDE, ON, OUTSIDE = (33, 102, 172), (247, 247, 247), (178, 24, 43)
 """Colours inside a body, on its surface and outside: the diverging scale RdBu of ColorBrewer, readable by the colour-blind."""
 SCALE = 1e-3
+_WHAT = "to the nearest unit, metres"
+"""Description of the dimension ``distance``, by which a file of this kind is known."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,13 +48,14 @@ def write_residual_cloud(result: Path, output: Path, epoch: str | None = None) -
     InputError
         The result cannot be read, has no such epoch, or no index of points.
     OutputError
-        The file cannot be written.
+        The file cannot be written, or is another one than an earlier output of this kind.
     """
     if output.suffix.lower() not in (".laz", ".las"):
         raise OutputError("cannot be written in that form", source=output, remedy="End the name in .laz or .las.")
     if not output.parent.is_dir():
         raise OutputError("cannot be written (its folder does not exist)", source=output, remedy="Choose a folder that exists.")
     check_targets([(output, "the points")], [result])
+    check_own(output, ("LASF", _WHAT))
     model = read_as_built(result, epoch)
     index = PointIndex(index_folder(result))
     if model.epoch not in index.epochs:
@@ -105,7 +108,7 @@ def _las(points: FloatArray, distance: FloatArray, number: IntArray, crs: Result
     header = laspy.LasHeader(point_format=7, version="1.4")
     header.scales = np.full(3, SCALE)
     header.offsets = np.floor(points.min(axis=0)) if len(points) else np.zeros(3)
-    header.add_extra_dim(laspy.ExtraBytesParams(name="distance", type=np.float32, description="to the nearest unit, metres"))
+    header.add_extra_dim(laspy.ExtraBytesParams(name="distance", type=np.float32, description=_WHAT))
     header.add_extra_dim(laspy.ExtraBytesParams(name="unit", type=np.uint32, description="number of that unit, 0: none"))
     if crs.epsg is not None:
         from ..data.crs import parse_crs

@@ -54,7 +54,7 @@ def check_own(target: Path, marks: Iterable[str]) -> None:
     target
         File to be written.
     marks
-        Words near the start of every file of its kind.
+        Words near the start of every file of its kind, or at its end.
 
     Raises
     ------
@@ -67,14 +67,22 @@ def check_own(target: Path, marks: Iterable[str]) -> None:
             return
         with target.open("rb") as stream:
             start = stream.read(65536)
+            # what has its index at the end states itself there
+            stream.seek(max(len(start), stream.seek(0, os.SEEK_END) - 4096))
+            read = start + stream.read()
     except FileNotFoundError:
         return
     except OSError as error:
         raise cannot_write(target, error) from error
-    if start.strip() and not all(mark.encode("utf-8") in start for mark in marks):
-        raise OutputError(
-            "exists and was not written by this command", source=target, remedy="Choose another name for the output, or delete it first."
-        )
+    if start.strip() and not all(mark.encode("utf-8") in read for mark in marks):
+        raise not_own(target)
+
+
+def not_own(target: Path) -> OutputError:
+    """What to say of a file that would be replaced, and is somebody else's."""
+    return OutputError(
+        "exists and was not written by this command", source=target, remedy="Choose another name for the output, or delete it first."
+    )
 
 
 def _identity(path: Path) -> tuple[int, int] | str:

@@ -16,7 +16,7 @@ from ..common.arrays import FloatArray
 from ..common.atomic_files import write_whole
 from ..common.errors import OutputError
 from ..common.feedback import Feedback
-from ..common.output_files import check_targets, safe_name
+from ..common.output_files import check_own, check_targets, safe_name
 from ..data.crs import LOCAL
 from ..data.survey import Survey
 from ..data.tiles import TileInfo, read_points
@@ -31,6 +31,8 @@ SPACINGS_PER_CELL = 1.5
 MOST_CELLS = 100_000_000
 STRIP_CELLS = 4_000_000
 """Cells that are shaded at a time."""
+MARK = "tetratrack relief"
+"""Software that the images name, by which they are known."""
 SUN_AZIMUTH, SUN_ALTITUDE = math.radians(315), math.radians(45)
 """Light from the north-west, the custom of relief maps; from elsewhere the eye swaps heights and hollows."""
 
@@ -137,6 +139,7 @@ def write_relief(path: Path, grid: HighestPoints, crs: str) -> None:
             interleave="band",  # the transparency by itself takes next to nothing
             tiled=True,
         ) as target:
+            target.update_tags(TIFFTAG_SOFTWARE=MARK)
             target.write(grey, 1)
             target.write(alpha, 2)
             target.colorinterp = (ColorInterp.gray, ColorInterp.alpha)
@@ -158,10 +161,12 @@ def run_relief(survey: Survey, prefix: Path, feedback: Feedback) -> dict[str, An
     InputError
         A tile cannot be read.
     OutputError
-        A file cannot be written.
+        A file cannot be written, or is another image than an earlier relief.
     """
     targets = {epoch.label: prefix.with_name(f"{prefix.name}_{safe_name(epoch.label)}.tif") for epoch in survey.epochs}
     check_targets([(target, f"epoch {label}") for label, target in targets.items()], survey.files)
+    for target in targets.values():
+        check_own(target, (MARK,))
     if not prefix.absolute().parent.is_dir():
         raise OutputError("cannot be written: its folder does not exist", source=prefix, remedy=f"Create {prefix.absolute().parent} first.")
     plans = plan_survey(survey, feedback.part(0, 0.05))

@@ -13,7 +13,7 @@ from ..common.arrays import FloatArray
 from ..common.atomic_files import replace_durably, temporary_beside
 from ..common.errors import InputError
 from ..common.feedback import Feedback
-from ..common.output_files import check_targets
+from ..common.output_files import check_own, check_targets
 from ..model.unit_types import UnitType
 from ..results.geopackage_reader import read_given_rows
 from ..results.geopackage_writer import check_output, write_result
@@ -21,6 +21,9 @@ from .unit_input import crs_of_layer
 
 if TYPE_CHECKING:
     import laspy
+
+MERGED = "tetratrack views"
+"""Software that merged clouds name, by which they are known."""
 
 
 def run_validate(features: Path, check: Path, picks: Path | None, epoch: str | None, output: Path, feedback: Feedback) -> dict[str, Any]:
@@ -103,6 +106,8 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
     ------
     InputError
         A view cannot be read, or the views do not hang together.
+    OutputError
+        The file cannot be written, or is another one than an earlier output of this step.
     """
     import laspy
 
@@ -110,6 +115,7 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
     from ..registration.views import register_views
 
     check_targets([(output, "the merged cloud")], views)
+    check_own(output, ("LASF", MERGED))
     clouds = []
     origin: FloatArray | None = None
     crs = ""
@@ -125,6 +131,7 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
     result = register_views(clouds, voxel=voxel, is_cancelled=feedback.is_cancelled)
     feedback.check()
     header = laspy.LasHeader(version="1.4", point_format=6)
+    header.generating_software = MERGED
     header.offsets = np.zeros(3) if origin is None else origin
     header.scales = np.full(3, 1e-5)
     merged = laspy.LasData(header)

@@ -18,6 +18,8 @@ METRES = 6
 """Value of $INSUNITS."""
 LABEL_HEIGHT = 0.15
 """Height of the names over the height of a unit."""
+DXF_MARK = "999\ntetratrack model\n"
+"""A comment, which no CAD program keeps: a drawing that was worked on is not taken for an earlier output."""
 
 
 def dxf(model: AsBuilt) -> str:
@@ -53,6 +55,7 @@ def dxf(model: AsBuilt) -> str:
         _add_plan(space, unit)
     drawing.appids.add("TETRATRACK")
     text = io.StringIO()
+    text.write(DXF_MARK)
     drawing.write(text)
     return text.getvalue()
 

@@ -19,6 +19,8 @@ from ..results.class_colours import class_colour
 FLOAT, UNSIGNED_SHORT = 5126, 5123
 ARRAY, ELEMENT_ARRAY = 34962, 34963
 
+GLB_MARK = '"generator":"tetratrack"'
+
 
 def glb(model: AsBuilt) -> bytes:
     """Bytes of the .glb file."""

@@ -100,6 +100,9 @@ def ifc(model: AsBuilt) -> str:
     return _head(title) + "\n".join(file.lines) + "\nENDSEC;\nEND-ISO-10303-21;\n"
 
 
+IFC_MARK = "'tetratrack "
+
+
 def _head(title: str) -> str:
     moment = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%S")
     software = encode(f"tetratrack {software_version()}")

@@ -11,13 +11,15 @@ from ..armour.as_built import AsBuilt, BuiltUnit
 from ..results.class_colours import class_colour
 
 POSES_FORMAT, POSES_VERSION = "tetratrack poses", 1
+POSES_MARK = f'"format": "{POSES_FORMAT}"'
+OBJ_MARK = "; metres, x easting, y northing, z height, less the offset"
 
 
 def obj(model: AsBuilt) -> str:
     """OBJ with one object a unit, corners with the colour of its class; z is height, coordinates less the offset in its head."""
     lines = [
         f"# {model.name}, epoch {model.epoch}".replace("\n", " "),
-        f"# CRS {model.crs.name}; metres, x easting, y northing, z height, less the offset".replace("\n", " "),
+        f"# CRS {model.crs.name}{OBJ_MARK}".replace("\n", " "),
         f"# offset {model.offset[0]:.0f} {model.offset[1]:.0f} {model.offset[2]:.0f}",
     ]
     first = 1

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 from ..common.arrays import FloatArray
 from ..common.atomic_files import write_whole
 from ..common.errors import InputError, OutputError
+from ..common.output_files import check_own
 from ..common.software import software_version
 from ..model.outline import SPM_PACKING, PlacedShape
 from ..results.class_colours import CLASS_COLOURS
@@ -55,6 +56,8 @@ Translate = Callable[[str], str]
 
 TEMPLATES = Path(__file__).parent / "templates"
 CATALOGUES = Path(__file__).resolve().parents[2] / "i18n"
+HTML_MARK, PDF_MARK = '<meta name="generator" content="tetratrack">', "% tetratrack report\n"
+"""What reports are known by; in PDF a comment after the end, since everything before it is compressed."""
 SECTIONS = (
     "summary",
     "explorer",
@@ -199,7 +202,7 @@ def write_report(result: Path, output: Path, options: ReportOptions | None = Non
     InputError
         The result cannot be read, has no displacements, or the ending is another.
     OutputError
-        The file cannot be written, or PDF needs a library that is missing.
+        The file cannot be written, is another one than an earlier report, or PDF needs a library that is missing.
     """
     chosen = options or ReportOptions()
     kind = output.suffix.lower()
@@ -207,6 +210,7 @@ def write_report(result: Path, output: Path, options: ReportOptions | None = Non
         raise InputError(f"cannot be written as {kind or 'a file without ending'}", source=output, remedy="End the name in .html or .pdf.")
     if not output.parent.is_dir():
         raise OutputError("cannot be written (its folder does not exist)", source=output, remedy="Choose a folder that exists.")
+    check_own(output, (HTML_MARK if kind == ".html" else PDF_MARK,))
     translate = translator(chosen.language)
     with foreign_contents(result):
         data = collect(result, chosen, drawable_words(translate))
@@ -364,7 +368,7 @@ def _pdf(page: str, output: Path) -> bytes:
             "PDF needs the library weasyprint", source=output, remedy="Install tetratrack[pdf], or end the name in .html."
         ) from error
     # a report holds all it shows: nothing is fetched from a disk or a network while it is printed
-    return bytes(HTML(string=page, url_fetcher=URLFetcher(allowed_protocols=["data"])).write_pdf())
+    return bytes(HTML(string=page, url_fetcher=URLFetcher(allowed_protocols=["data"])).write_pdf()) + PDF_MARK.encode("ascii")
 
 
 def _check_lines(result: Path, pair: EpochPair) -> list[CheckLine]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import math
 import sqlite3
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import closing
 from datetime import UTC, datetime
 from itertools import count
@@ -20,6 +20,7 @@ import numpy as np
 
 from ..common.atomic_files import cannot_write, replace_durably, temporary_beside
 from ..common.errors import InputError, OutputError
+from ..common.output_files import not_own
 from ..data.crs import LOCAL, parse_crs, wkt_of
 from .epoch_ends import with_epoch_ends
 from .geopackage_reader import ResultCrs, add_indices, definition_of, encode_geometry, now_utc, parse_settings
@@ -43,6 +44,9 @@ _APPLICATION_ID = 0x47504B47
 _USER_VERSION = 10300
 _LOCAL_SRS, _OWN_SRS = -1, 100000
 _TYPES = {"text": "TEXT", "integer": "INTEGER", "real": "DOUBLE", "boolean": "BOOLEAN", "datetime": "DATETIME"}
+
+_KEPT_BY_PROGRAMS = ("gpkg_", "rtree_", "sqlite_", "layer_styles")
+"""Start of the names of tables in a GeoPackage that are no layers."""
 
 _SYSTEM_TABLES = """
 CREATE TABLE gpkg_spatial_ref_sys (srs_name TEXT NOT NULL, srs_id INTEGER NOT NULL PRIMARY KEY, organization TEXT NOT NULL,
@@ -184,7 +188,7 @@ def write_beside(path: Path, crs: ResultCrs, layers: Mapping[str, Layer], tables
     Parameters
     ----------
     path
-        Target; a file that is there is replaced.
+        Target; replaced where it is there: :func:`check_beside` tells before the work whether it may be.
     crs
         That of the result.
     layers
@@ -207,6 +211,31 @@ def write_beside(path: Path, crs: ResultCrs, layers: Mapping[str, Layer], tables
             replace_durably(temporary, path.absolute())
     except (sqlite3.Error, OSError) as error:
         raise cannot_write(path, error) from error
+
+
+def check_beside(path: Path, layers: Iterable[Layer]) -> None:
+    """Refuse to replace a GeoPackage that holds anything but these layers with their own fields: a result, or work of a user.
+
+    Raises
+    ------
+    OutputError
+        Before anything is written.
+    """
+    if not path.is_file():
+        return
+    own = {layer.name: {"fid", "geom", *layer.names} for layer in layers}
+    try:
+        with reading(path, ()) as connection:
+            tables = [str(row["name"]) for row in connection.execute("SELECT name FROM sqlite_master WHERE type IN ('table', 'view')")]
+            found = {
+                name: {str(row["name"]) for row in connection.execute(f"PRAGMA table_info({quoted(name)})")}
+                for name in tables
+                if not name.startswith(_KEPT_BY_PROGRAMS)
+            }
+    except InputError as error:
+        raise not_own(path) from error
+    if any(not fields <= own.get(name, set()) for name, fields in found.items()):
+        raise not_own(path)
 
 
 def _computed(tables: Mapping[str, Sequence[Row]]) -> tuple[str, ...]:
