@@ -21,7 +21,7 @@ from ..core.results.result_access import is_writable
 from ..core.results.unit_rows import EpochInfo, UnitDetails, UnitRow, datums, read_details, read_epochs, read_unit_rows, unit_sizes
 from ..core.review.corrections import edits_stamp
 from ..core.review.decisions import Decision, Review, ReviewEvent, confirm, decide, prepare, read_history, read_reviews, undo
-from ..core.review.point_index import PointIndex, index_folder
+from ..core.review.point_index import PointIndex, index_of
 
 Topic = Literal["rows", "order", "selection", "reviews"]
 
@@ -237,11 +237,11 @@ class ReviewStore:
         return self._details[unit_id]
 
     def open_index(self) -> None:
-        """Take in the points around the units, where the index beside the result is made."""
+        """Take in the points around the units, where the index beside the result is made, for what the result is now."""
         self.index = None
         # no index yet is the normal case after a run: the views say how to get the points
         with suppress(TetratrackError):
-            self.index = PointIndex(index_folder(self.path))
+            self.index = index_of(self.path)
 
     def points_around(self, epoch: str, centre: FloatArray, half_size: float) -> FloatArray:
         """(n, 3) points of an epoch around a place; none where there is no index, or one that turns out to be damaged."""

@@ -18,7 +18,7 @@ from ..results.comparison_layers import PLAN_LAYERS, PROFILE_LAYERS, SECTION_LAY
 from ..results.geopackage_reader import crs_of, read_layer_rows
 from ..results.geopackage_writer import check_beside, write_beside
 from ..results.schema import Layer
-from ..review.point_index import PointIndex, index_folder
+from ..review.point_index import index_folder, index_of
 from .as_built import AsBuilt, read_as_built
 from .design_files import read_design_lines, read_plan, split_source
 from .design_surface import DesignSurface, Reference, compare_with_profile, design_surface
@@ -237,13 +237,12 @@ def write_profiles(result: Path, output: Path, *, axis: FloatArray | None = None
     Raises
     ------
     InputError
-        As :func:`profiles`, or the index is damaged.
+        As :func:`profiles`, or the index is damaged or of an earlier state of the result.
     OutputError
         The file cannot be written, or holds anything else than an earlier comparison of this kind.
     """
     _check(output, result, [profile], SECTION_LAYERS)
-    folder = index_folder(result)
-    clouds = PointIndex(folder).clouds if (folder / "index.json").is_file() else no_clouds
+    clouds = index_of(result).clouds if (index_folder(result) / "index.json").is_file() else no_clouds
     found = profiles(result, clouds=clouds, axis=axis, step=step, profile=profile)
     tables = {"sections": found.sections, "crest": found.crest, "settlement": found.settlement}
     write_beside(output, crs_of(result), {layer.name: layer for layer in SECTION_LAYERS}, tables)

@@ -13,7 +13,7 @@ from ..common.errors import InputError, OutputError
 from ..common.output_files import check_own, check_targets
 from ..model.tetrapod import distance_to_surface
 from ..results.geopackage_reader import ResultCrs
-from ..review.point_index import PointIndex, index_folder
+from ..review.point_index import index_of
 from .as_built import AsBuilt, read_as_built
 from .contacts import reach_of
 
@@ -46,7 +46,7 @@ def write_residual_cloud(result: Path, output: Path, epoch: str | None = None) -
     Raises
     ------
     InputError
-        The result cannot be read, has no such epoch, or no index of points.
+        The result cannot be read, has no such epoch, or no index of points that belongs to what it is now.
     OutputError
         The file cannot be written, or is another one than an earlier output of this kind.
     """
@@ -57,7 +57,7 @@ def write_residual_cloud(result: Path, output: Path, epoch: str | None = None) -
     check_targets([(output, "the points")], [result])
     check_own(output, ("LASF", _WHAT))
     model = read_as_built(result, epoch)
-    index = PointIndex(index_folder(result))
+    index = index_of(result)
     if model.epoch not in index.epochs:
         raise InputError(f"holds no points of {model.epoch}", source=index.folder, remedy="Build it again with tetratrack unit-points.")
     parts = [(points, *distances(points, model)) for points in index.clouds(model.epoch)]

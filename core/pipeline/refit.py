@@ -31,7 +31,7 @@ from ..results.run_record import epochs_of
 from ..results.unit_rows import EpochInfo, read_epochs, unit_sizes
 from ..results.unit_sizes import unit_of
 from ..review.corrections import set_pose
-from ..review.point_index import PointIndex, index_folder, write_index
+from ..review.point_index import frames_state, index_folder, index_of, write_index
 from ..review.pose_consequences import NewPose
 from ..segmentation.segment import DetectedUnit, segment
 from .block_jobs import ROUGHNESS_RATIO, adjusted_nearby
@@ -57,7 +57,7 @@ def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[
     OutputError
         The index cannot be written.
     """
-    infos = epochs_of(survey, result)
+    infos, state = epochs_of(survey, result), frames_state(result)
     centres = [row["geom"] for row in read_layer_rows(result, "units") if row["geom"] is not None]
     height = max(unit.type.height for unit in survey.units)
     plans = plan_survey(survey, feedback.part(0.0, 0.05))
@@ -86,7 +86,7 @@ def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[
 
     folder = index_folder(result)
     noise = {e.label: (e.range_sd, math.radians(e.angle_sd)) for e in survey.epochs if e.range_sd is not None and e.angle_sd is not None}
-    kept = write_index(folder, tiles(), np.array(centres).reshape(-1, 3), REACH_HEIGHTS * height, noise=noise)
+    kept = write_index(folder, tiles(), np.array(centres).reshape(-1, 3), REACH_HEIGHTS * height, noise=noise, state=state)
     feedback.info(f"{kept} points around {len(centres)} positions of units")
     return {"index": str(folder), "points": kept}
 
@@ -138,7 +138,7 @@ def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, edito
         mould = _mould_of(info, unit)
         frame = _EpochFrame.read(result, info)
     place = np.asarray(near, dtype=np.float64)
-    index = PointIndex(index_folder(result))
+    index = index_of(result)
     noise, reach = index.noise(epoch), REACH_HEIGHTS * unit.height
     points, sensors = index.read_with_sensors(epoch, place, reach) if noise is not None else (index.read(epoch, place, reach), None)
     points = points - place

@@ -40,7 +40,7 @@ from ..results.unit_rows import (
 from ..results.unit_sizes import UnitSize, shape_of
 from ..review.corrections import UnitEdit, placeholders, read_edits
 from ..review.decisions import Review, read_reviews
-from ..review.point_index import PointIndex, index_folder
+from ..review.point_index import PointIndex, index_folder, index_of
 from . import figures
 from .block_figures import block_view, detail_maps
 from .castings_page import CastingsPage, castings_page
@@ -414,10 +414,9 @@ class _Points:
     def __init__(self, result: Path) -> None:
         self.notes: list[str] = []
         self._index: PointIndex | None = None
-        folder = index_folder(result)
-        if (folder / "index.json").exists():
+        if (index_folder(result) / "index.json").exists():
             try:
-                self._index = PointIndex(folder)
+                self._index = index_of(result)
             except InputError as error:
                 self._give_up(error)
 

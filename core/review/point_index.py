@@ -7,6 +7,7 @@ Windows does not let go of a folder with open files, and an index that was built
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import os
@@ -24,6 +25,8 @@ from ..common.arrays import FloatArray, IntArray
 from ..common.atomic_files import process_mark, remove_leftovers
 from ..common.errors import InputError, OutputError
 from ..common.input_files import content_of
+from ..results.geopackage_reader import parse_settings, parse_time, read_layer_rows
+from ..results.result_access import reading
 
 INDEX_VERSION = 3
 SCALE = 1e-4
@@ -66,13 +69,66 @@ def kept_survey(result: Path) -> Path:
     return result.with_name(f"{result.stem}_survey") / "survey.toml"
 
 
+def frames_state(result: Path) -> str:
+    """Checksum of what places points in the frame of a result: transformations, offsets of strips and stations, bends, and inputs.
+
+    Decisions and corrections change none of it.
+
+    Raises
+    ------
+    InputError
+        The result cannot be read.
+    """
+    epochs = []
+    for row in sorted(read_layer_rows(result, "epochs"), key=lambda row: str(row["label"])):
+        settings = parse_settings(row["settings"])
+        epochs.append([row["label"], row["transformation"], settings.get("source_offsets_m"), settings.get("inputs")])
+    bends = [
+        [None if row["geom"] is None else row["geom"].tolist(), *(row[name] for name in sorted(row.keys() - {"fid", "geom"}))]
+        for row in read_layer_rows(result, "frame_errors")
+    ]
+    text = json.dumps([epochs, sorted(bends, key=str)], sort_keys=True, default=str)
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+
+
+def index_of(result: Path) -> PointIndex:
+    """The index beside a result, which must have been built for what the result is now.
+
+    Raises
+    ------
+    InputError
+        There is none, it cannot be used, or the result was computed anew since; or the result cannot be read.
+    """
+    index = PointIndex(index_folder(result))
+    if index.state == frames_state(result) if index.state else index.made >= _computed_at(result):
+        return index
+    raise InputError(
+        "was built for an earlier state of the result", source=index.folder, remedy="Build it again with tetratrack unit-points."
+    )
+
+
+def _computed_at(result: Path) -> float:
+    """When the epochs of a result were written, seconds; 0 where it does not say: corrections and decisions leave them as they are."""
+    with reading(result) as connection:
+        row = connection.execute("SELECT last_change FROM gpkg_contents WHERE table_name = 'epochs'").fetchone()
+        moment = parse_time(None if row is None else str(row["last_change"] or ""))
+    return 0.0 if moment is None else moment.timestamp()
+
+
 class PointIndex:
-    """Points of a survey near its units, by epoch.
+    """Points of a survey near its units, by epoch; :func:`index_of` finds out whether they are those of the result.
 
     Parameters
     ----------
     folder
         What :func:`write_index` wrote.
+
+    Attributes
+    ----------
+    state
+        Of the result it was built for, see :func:`frames_state`; empty where an earlier version wrote it.
+    made
+        When it was written, seconds.
 
     Raises
     ------
@@ -92,8 +148,9 @@ class PointIndex:
             raise InputError("there is no point index", source=self.folder, remedy=REMEDY)
         try:
             content = json.loads(content_of(description).decode("utf-8"))
-            version = content["version"]
-        except (InputError, KeyError, OSError, RecursionError, TypeError, ValueError) as error:
+            version, self.state = content["version"], str(content.get("state", ""))
+            self.made = description.stat().st_mtime
+        except (AttributeError, InputError, KeyError, OSError, RecursionError, TypeError, ValueError) as error:
             raise damaged(description) from error
         if version != INDEX_VERSION:
             raise InputError(f"is a point index of version {version}, not {INDEX_VERSION}", source=description, remedy=REMEDY)
@@ -220,6 +277,7 @@ def write_index(
     cell: float | None = None,
     *,
     noise: Mapping[str, tuple[float, float]] | None = None,
+    state: str = "",
 ) -> int:
     """Write the index of all points near units; an index that is there already is replaced when the new one is complete.
 
@@ -233,12 +291,13 @@ def write_index(
     centres
         (m, 3) centres of the units in all epochs.
     half_size
-        All points within this of a centre in easting and northing are kept, metres, and with them the rest of the cells that this
-        reaches into, at any height.
+        All points within this of a centre in easting and northing are kept, metres, and the rest of the cells that this reaches into.
     cell
         Edge of the cells, metres; half of ``half_size`` by default.
     noise
         By epoch whose sensor positions are known, standard deviations of ranges (metres) and of the beams' directions (radians).
+    state
+        Of the result that the points are placed for, see :func:`frames_state`.
 
     Returns
     -------
@@ -274,6 +333,7 @@ def write_index(
             parts.setdefault(epoch, []).extend([] if kept is None else [kept])
         content = {
             "version": INDEX_VERSION,
+            "state": state,
             "grid_origin": origin.tolist(),
             "cell": edge,
             "half_size": half_size,

@@ -25,7 +25,7 @@ from tetratrack.core.registration.transformation import Transformation, transfor
 from tetratrack.core.results.geopackage_reader import epoch_pairs, read_layer_rows
 from tetratrack.core.results.unit_rows import read_details, read_epochs, read_unit_rows
 from tetratrack.core.review.corrections import read_edits, set_pose
-from tetratrack.core.review.point_index import PointIndex, index_folder, write_index
+from tetratrack.core.review.point_index import PointIndex, frames_state, index_folder, index_of, write_index
 from tetratrack.core.review.pose_consequences import NewPose
 
 
@@ -184,6 +184,7 @@ def test_tiles_are_indexed_in_the_control_frame(tmp_path: Path) -> None:
     toml = f'[survey]\nname = "s"\ncrs = "EPSG:{SRS}"\n[unit]\ntype = "tetrapod"\nheight = {HEIGHT}\n' + "".join(epochs)
     (tmp_path / "survey.toml").write_text(toml, encoding="utf-8")
     index_unit_points(read_survey(tmp_path / "survey.toml"), path, Feedback())
+    assert index_of(path).state == frames_state(path)
     index = PointIndex(index_folder(path))
     centre = units[0].centres[0]
     for label, moved in (("2023-04-09", cloud), ("2024-04-09", cloud + shift)):
