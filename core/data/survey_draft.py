@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -110,7 +111,7 @@ def draft_text(draft: SurveyDraft, folder: Path | None = None) -> str:
     folder
         Where the file will stand: paths are relative to it where they lie below it or beside it; None writes them whole.
     """
-    lines = [f"{FIRST_LINE}; the reasons stand beside the values. All keys: tetratrack template", ""]
+    lines = [""]
     lines += [f"# {QUESTION}{question}" for question in draft.questions]
     lines += [f"# note: {warning}" for warning in draft.warnings]
     lines += ["", "[survey]", _line("name", draft.name, "")]
@@ -119,7 +120,18 @@ def draft_text(draft: SurveyDraft, folder: Path | None = None) -> str:
         lines += ["", "[[unit]]" if len(draft.units) > 1 else "[unit]", 'type = "tetrapod"', *_unit_lines(unit)]
     for epoch in draft.epochs:
         lines += ["", "[[epoch]]", *_epoch_lines(epoch, folder)]
-    return "\n".join(line for k, line in enumerate(lines) if line or lines[k - 1]) + "\n"
+    body = "\n" + "\n".join(line for k, line in enumerate(lines) if k and (line or lines[k - 1])) + "\n"
+    return f"{FIRST_LINE}; the reasons stand beside the values. All keys: tetratrack template. {_checksum(body)}\n{body}"
+
+
+def is_as_drafted(text: str) -> bool:
+    """Whether a draft is what :func:`draft_text` made of it: nothing was corrected in it since."""
+    first, _, body = text.partition("\n")
+    return first.endswith(f" {_checksum(body)}")
+
+
+def _checksum(body: str) -> str:
+    return f"Checksum {hashlib.sha256(body.strip().encode('utf-8')).hexdigest()[:16]}"
 
 
 def draft_record(draft: SurveyDraft) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from ..data.folder_epochs import FoundEpoch, FoundTile, find_tiles, group_epochs
 from ..data.plausibility import Place, check_scale
 from ..data.recognised_tables import FoundTable, Role, assign, find_tables, recognise
 from ..data.survey import Survey
-from ..data.survey_draft import FIRST_LINE, DraftEpoch, DraftUnit, SurveyDraft, draft_text
+from ..data.survey_draft import FIRST_LINE, DraftEpoch, DraftUnit, SurveyDraft, draft_text, is_as_drafted
 from ..data.survey_reader import read_survey
 from ..data.tiles import TileInfo
 from .drafted_units import counted, draft_units
@@ -283,12 +283,12 @@ def _epoch(found: FoundEpoch, mine: Mapping[Role, FoundTable], tiles_crs: str | 
 
 
 def write_draft(draft: SurveyDraft, path: Path) -> None:
-    """Write a draft as a survey.toml; one that a draft wrote earlier is replaced, any other file is not.
+    """Write a draft as a survey.toml; one that a draft wrote earlier is replaced, any other file and a corrected draft are not.
 
     Raises
     ------
     OutputError
-        The file is somebody's own, or cannot be written.
+        The file is somebody's own or was corrected since it was drafted, or cannot be written.
     """
     check_draft(path)
     with temporary_beside(path) as temporary:
@@ -305,11 +305,16 @@ def check_draft(path: Path) -> None:
         As for :func:`write_draft`.
     """
     if path.is_file():
-        with path.open("rb") as stream:
-            start = stream.read(len(FIRST_LINE.encode("utf-8")))
-        if start != FIRST_LINE.encode("utf-8"):
+        text = path.read_text(encoding="utf-8", errors="replace")
+        if not text.startswith(FIRST_LINE):
             raise OutputError(
                 "is there already, and not written by tetratrack init", source=path, remedy="Move it away, or give another name."
+            )
+        if not is_as_drafted(text):
+            raise OutputError(
+                "was corrected since it was drafted, and a new draft would lose that",
+                source=path,
+                remedy=f"Run it as it is (tetratrack run {path}), or move it away for a new draft.",
             )
     with temporary_beside(path):
         pass

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import tomllib
 from datetime import UTC, datetime
@@ -57,6 +58,27 @@ def test_a_file_of_the_users_own_is_not_replaced(tmp_path: Path) -> None:
     assert result.exit_code == 2
     assert "is there already" in result.stderr
     assert own.read_text() == "# mine\n"
+
+
+def test_a_draft_is_written_again_until_it_is_corrected(tmp_path: Path) -> None:
+    draft = tmp_path / "survey.toml"
+    words = ["init", str(TINY / "tiles"), "--height", "2.3", "--output", str(draft)]
+    for _ in range(2):
+        assert CliRunner().invoke(app, words).exit_code == 0
+    as_drafted = draft.read_text(encoding="utf-8")
+    # as an editor on Windows or a pipe leaves it
+    draft.write_bytes((as_drafted + "\n").replace("\n", "\r\n").encode("utf-8"))
+    assert CliRunner().invoke(app, words).exit_code == 0
+    assert draft.read_text(encoding="utf-8") == as_drafted
+    for corrected in (as_drafted.replace("height = 2.3", "height = 2.4"), re.sub(r"\. Checksum \w+", "", as_drafted)):
+        assert corrected != as_drafted
+        draft.write_text(corrected, encoding="utf-8")
+        for again in (words, ["run", str(TINY / "tiles"), "--height", "2.3", "-o", str(tmp_path / "survey.gpkg")]):
+            refused = CliRunner().invoke(app, again)
+            assert refused.exit_code == 2, refused.output
+            assert "survey.toml: was corrected since it was drafted" in refused.stderr
+            assert f"tetratrack run {draft}" in refused.stderr
+        assert draft.read_text(encoding="utf-8") == corrected
 
 
 def test_a_missing_crs_is_asked_for(tmp_path: Path) -> None:
