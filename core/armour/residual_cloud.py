@@ -11,6 +11,7 @@ from ..common.arrays import FloatArray, IntArray
 from ..common.atomic_files import write_whole
 from ..common.errors import InputError, OutputError
 from ..common.output_files import check_own, check_targets
+from ..data.crs import LOCAL, parse_crs
 from ..model.tetrapod import distance_to_surface
 from ..results.geopackage_reader import ResultCrs
 from ..review.point_index import index_of
@@ -110,10 +111,8 @@ def _las(points: FloatArray, distance: FloatArray, number: IntArray, crs: Result
     header.offsets = np.floor(points.min(axis=0)) if len(points) else np.zeros(3)
     header.add_extra_dim(laspy.ExtraBytesParams(name="distance", type=np.float32, description=_WHAT))
     header.add_extra_dim(laspy.ExtraBytesParams(name="unit", type=np.uint32, description="number of that unit, 0: none"))
-    if crs.epsg is not None:
-        from ..data.crs import parse_crs
-
-        header.add_crs(parse_crs(f"EPSG:{crs.epsg}"))
+    if crs.text != LOCAL:
+        header.add_crs(parse_crs(crs.text))
     cloud = laspy.LasData(header)
     cloud.x, cloud.y, cloud.z = points.T
     cloud.distance, cloud.unit = distance.astype(np.float32), number.astype(np.uint32)

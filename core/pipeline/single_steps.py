@@ -100,7 +100,7 @@ def run_validate(features: Path, check: Path, picks: Path | None, epoch: str | N
 
 
 def run_register_views(views: Sequence[Path], output: Path, voxel: float | None, feedback: Feedback) -> dict[str, Any]:
-    """Step ``register-views``: several overlapping clouds in one LAZ file in the frame of the first; the point source ID is the view.
+    """Step ``register-views``: overlapping clouds in one LAZ file in the frame and CRS of the first; the point source ID is the view.
 
     Raises
     ------
@@ -111,6 +111,7 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
     """
     import laspy
 
+    from ..data.crs import parse_crs
     from ..data.tiles import inspect_tile, read_points
     from ..registration.views import register_views
 
@@ -118,12 +119,12 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
     check_own(output, ("LASF", MERGED))
     clouds = []
     origin: FloatArray | None = None
-    crs = ""
+    crs, definition = "", ""
     for number, path in enumerate(views):
         feedback.check()
         feedback.progress(0.3 * number / len(views), f"reading {path.name}")
         tile = inspect_tile(path, None)
-        crs = crs or tile.crs
+        crs, definition = crs or tile.crs, definition or tile.definition
         cloud = read_points([tile], crs or "LOCAL", origin=origin)
         origin = cloud.origin
         clouds.append(cloud.xyz)
@@ -134,6 +135,8 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
     header.generating_software = MERGED
     header.offsets = np.zeros(3) if origin is None else origin
     header.scales = np.full(3, 1e-5)
+    if definition:
+        header.add_crs(parse_crs(definition))
     merged = laspy.LasData(header)
     moved = [points @ motion[:3, :3].T + motion[:3, 3] + header.offsets for points, motion in zip(clouds, result.motions, strict=True)]
     merged.x, merged.y, merged.z = np.vstack(moved).T

@@ -7,13 +7,23 @@ import sqlite3
 from contextlib import closing
 from pathlib import Path
 
+import laspy
 import numpy as np
 import pytest
 from crooked_las import write_survey
 from las_files import grid_points, write_las
+from pyproj import CRS
 from synthetic_result import make_units, write_points, write_result
+from tetratrack.core.data.crs import parse_crs
+from tetratrack.core.results.geopackage_writer import write_geopackage
 from tetratrack.scripts.cli import app
 from typer.testing import CliRunner
+
+
+def _crs_of(path: Path) -> CRS | None:
+    with laspy.open(path) as reader:
+        return reader.header.parse_crs()
+
 
 FOREIGN = "exists and was not written by this command"
 
@@ -113,6 +123,22 @@ def test_merged_views_do_not_replace_a_tile(tmp_path: Path) -> None:
     for _ in range(2):
         done = CliRunner().invoke(app, [*words, str(tmp_path / "merged.laz")])
         assert done.exit_code == 0, done.output
+    assert _crs_of(tmp_path / "merged.laz") == _crs_of(tmp_path / "a.laz")
+
+
+@pytest.mark.parametrize("crs", ["EPSG:5186", "EPSG:5186+5193", "EPSG:9895", "LOCAL"])
+def test_the_points_less_blocks_keep_the_crs(site: Path, crs: str) -> None:
+    write_geopackage(site / "crs.gpkg", crs, {})
+    with closing(sqlite3.connect(site / "result.gpkg")) as connection, connection:
+        connection.execute("ATTACH ? AS other", (str(site / "crs.gpkg"),))
+        connection.execute("DROP TABLE gpkg_spatial_ref_sys")
+        connection.execute("CREATE TABLE gpkg_spatial_ref_sys AS SELECT * FROM other.gpkg_spatial_ref_sys")
+        number = connection.execute("SELECT srs_id FROM other.gpkg_geometry_columns WHERE table_name = 'units'").fetchone()
+        connection.execute("UPDATE gpkg_geometry_columns SET srs_id = ? WHERE table_name = 'units'", number)
+    done = CliRunner().invoke(app, ["residuals", str(site / "result.gpkg"), "-o", str(site / "o.laz")])
+    assert done.exit_code == 0, done.output
+    written = _crs_of(site / "o.laz")
+    assert written is None if crs == "LOCAL" else written.name == parse_crs(crs).name
 
 
 def test_a_relief_does_not_replace_an_image(tmp_path: Path) -> None:
