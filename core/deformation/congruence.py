@@ -31,6 +31,12 @@ STABLE_LEVEL = 0.01
 """Units with a smaller p-value do not support the datum."""
 NORMAL_TAIL, LEAST_TAIL = 200.0, 3.0
 """Degrees of freedom beyond which t is normal, and fewest that are believed: with fewer, t has no variance worth stating."""
+FEW_MEMBERS = 12
+"""Units of a datum up to which it is solved anew without each of them, and up to which it matters how little they tell of deviations."""
+STATED_DEGREES = 1.0
+"""Degrees of freedom that stated covariances are worth by themselves: they are off by factors of two, as in :func:`calibrate`."""
+LARGEST_SHARE = 0.9999
+"""Share of a statistic's variance up to which what is known of a frame apart from units counts as such."""
 LEAST_P_VALUE = 1e-15
 """To which p-values of units are rounded, and 1 less that, where they are combined."""
 FREE_SHIFT, FREE_TURN = 1e3, 1.0
@@ -153,6 +159,8 @@ class Congruence:
         Calibrated distribution of stable units.
     statistics, p_values
         (n,) of each unit in datum ``stable``, itself left out of the datum.
+    scale_degrees
+        (n,) degrees of freedom with which the others of few units know the scale of deviations in datum ``stable``; infinite for many.
     control_statistics, control_p_values
         The same in datum ``control``.
     control_degrees
@@ -173,6 +181,7 @@ class Congruence:
     null: NullModel
     statistics: FloatArray
     p_values: FloatArray
+    scale_degrees: FloatArray
     control_statistics: FloatArray
     control_p_values: FloatArray
     control_degrees: float
@@ -191,6 +200,19 @@ class Congruence:
         covariance = self.motion_covariance if datum == "stable" else self.prior
         return LocalMotions(rows @ motion, rows @ covariance @ np.swapaxes(rows, 1, 2))
 
+    def by_others(self, points: FloatArray, displacements: FloatArray, effective: FloatArray, used: BoolArray) -> LocalMotions:
+        """Datum ``stable`` at (n,) units, without what each of those ``used`` for it says itself; lengths in metres."""
+        parts = self.rigid_motions(points, "stable")
+        if used.sum() > FEW_MEMBERS:
+            return parts.without(displacements, effective, used.astype(np.float64))
+        means, covariances = parts.means.copy(), parts.covariances.copy()
+        for k in np.flatnonzero(used):
+            rest = used.copy()
+            rest[k] = False
+            own = self.resting_on(rest, displacements, effective, points).rigid_motions(points[[k]], "stable")
+            means[k], covariances[k] = own.means[0], own.covariances[0]
+        return LocalMotions(means, covariances)
+
     def resting_on(self, units: BoolArray, displacements: FloatArray, effective: FloatArray, points: FloatArray) -> Congruence:
         """The same with datum ``stable`` resting on some of the (n,) units alone.
 
@@ -199,7 +221,7 @@ class Congruence:
         """
         a = rigid_jacobian(points[units] - self.origin)
         motion, covariance = _solve(displacements[units], np.asarray(np.linalg.inv(effective[units]), dtype=np.float64), a, self.prior)
-        return replace(self, motion=motion, motion_covariance=covariance)
+        return replace(self, motion=motion, motion_covariance=0.5 * (covariance + covariance.T))
 
 
 def congruence_of(
@@ -240,15 +262,20 @@ def congruence_of(
     effective = null.covariance(covariances)
     stable = null.p_value(quadratic(residuals, effective + spread)) > STABLE_LEVEL
     for _ in range(12):
-        theta, cofactor, statistics = _leave_one_out(displacements, effective, a, sigma, stable)
-        residuals, spread = _predictions(displacements, effective, a, theta, cofactor, stable)
-        earlier, null = null, calibrate(residuals, covariances, scale, spread)
-        previous, stable = stable, null.p_value(statistics) > STABLE_LEVEL
+        others = _others(displacements, effective, a, sigma, stable, degrees)
+        earlier, null = null, calibrate(others.residuals, covariances, scale, others.spread)
+        previous, stable = stable, f_p_value(others.statistics, np.minimum(null.tail, others.degrees)) > STABLE_LEVEL
         effective = null.covariance(covariances)
         if (stable == previous).all() and abs(null.factor - earlier.factor) + abs(null.floor - earlier.floor) / scale < 1e-3:
             break
-    theta, cofactor, statistics = _leave_one_out(displacements, effective, a, sigma, stable)
-    p_values = null.p_value(statistics)
+    else:
+        # two sets of units take turns, as where one null leaves none and knows nothing: the wider null contradicts neither
+        null = max(null, earlier, key=lambda model: np.trace(model.covariance(covariances), axis1=1, axis2=2).sum())
+        effective, stable = null.covariance(covariances), stable | previous
+        others = _others(displacements, effective, a, sigma, stable, degrees)
+        stable = f_p_value(others.statistics, np.minimum(null.tail, others.degrees)) > STABLE_LEVEL
+    others = _others(displacements, effective, a, sigma, stable, degrees)
+    statistics, p_values = others.statistics, f_p_value(others.statistics, np.minimum(null.tail, others.degrees))
     frame = a @ sigma @ np.swapaxes(a, 1, 2)
     control = quadratic(displacements, effective + frame)
     global_statistic, global_p_value = combined_test(p_values)
@@ -257,13 +284,14 @@ def congruence_of(
         common = _common(displacements[stable], effective[stable], a[stable], sigma)
     return Congruence(
 origin=origin,
-motion=theta,
-motion_covariance=cofactor,
+motion=others.motion,
+motion_covariance=others.cofactor,
 prior=sigma,
 stable=stable,
 null=null,
 statistics=statistics,
 p_values=p_values,
+scale_degrees=others.degrees,
 control_statistics=control,
 control_p_values=f_p_value(control, pooled_degrees(effective, null.tail, frame, degrees)),
 control_degrees=degrees,
@@ -366,30 +394,80 @@ def _robust_motion(displacements: FloatArray, covariances: FloatArray, a: FloatA
     return theta, cofactor
 
 
-def _predictions(
-    displacements: FloatArray, covariances: FloatArray, a: FloatArray, theta: FloatArray, cofactor: FloatArray, stable: BoolArray
-) -> tuple[FloatArray, FloatArray]:
-    """(n, 3) displacements in the datum of all other stable units, and (n, 3, 3) covariance of that datum at the unit."""
-    residuals = displacements - a @ theta
-    spread = a @ cofactor @ np.swapaxes(a, 1, 2)
-    for k in np.flatnonzero(stable):
-        gain = np.linalg.inv(covariances[k] - spread[k])
-        residuals[k] = covariances[k] @ gain @ residuals[k]
-        spread[k] = spread[k] + spread[k] @ gain @ spread[k]
-    return residuals, spread
+@dataclass(frozen=True, eq=False, kw_only=True)
+class _Others:
+    """A datum, and what it says of every unit once that is not asked.
+
+    ``motion`` (7,) and ``cofactor`` (7, 7) of all members; ``residuals`` (n, 3) of units in the datum of the others, ``spread`` (n, 3, 3)
+    of that datum, ``statistics`` (n,), and ``degrees`` (n,) with which the scale of both is known, infinite where members are many.
+    """
+
+    motion: FloatArray
+    cofactor: FloatArray
+    residuals: FloatArray
+    spread: FloatArray
+    statistics: FloatArray
+    degrees: FloatArray
 
 
-def _leave_one_out(
-    displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray, stable: BoolArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Datum of the stable set, and each unit's statistic against the datum without itself."""
+def _others(
+    displacements: FloatArray, covariances: FloatArray, a: FloatArray, sigma: FloatArray, stable: BoolArray, degrees: float
+) -> _Others:
+    """Datum of the stable set, and each unit against the datum without itself; ``degrees`` of the prior."""
     weights = np.asarray(np.linalg.inv(covariances) * stable[:, None, None], dtype=np.float64)
     theta, cofactor = _solve(displacements, weights, a, sigma)
-    residuals = displacements - a @ theta
-    spread = a @ cofactor @ np.swapaxes(a, 1, 2)
-    # a member's residual has V - A Q A^T, an outsider's V + A Q A^T; the first equals the deletion statistic exactly
-    combined = covariances + np.where(stable[:, None, None], -spread, spread)
-    return theta, cofactor, quadratic(residuals, combined)
+    if stable.sum() <= FEW_MEMBERS:
+        residuals, spread, known = _each_anew(displacements, weights, covariances, a, sigma, stable, degrees)
+        statistics = quadratic(residuals, covariances + spread)
+    else:
+        residuals = displacements - a @ theta
+        spread = a @ cofactor @ np.swapaxes(a, 1, 2)
+        # a member's residual has V - A Q A^T, an outsider's V + A Q A^T; the first equals the deletion statistic exactly
+        statistics = quadratic(residuals, covariances + np.where(stable[:, None, None], -spread, spread))
+        for k in np.flatnonzero(stable):
+            gain = np.linalg.inv(covariances[k] - spread[k])
+            residuals[k] = covariances[k] @ gain @ residuals[k]
+            spread[k] = spread[k] + spread[k] @ gain @ spread[k]
+        known = np.full(len(displacements), math.inf)
+    return _Others(motion=theta, cofactor=cofactor, residuals=residuals, spread=spread, statistics=statistics, degrees=known)
+
+
+def _each_anew(
+    displacements: FloatArray,
+    weights: FloatArray,
+    covariances: FloatArray,
+    a: FloatArray,
+    sigma: FloatArray,
+    stable: BoolArray,
+    degrees: float,
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Residuals, spread and degrees of :class:`_Others` from an adjustment without each unit: with few, what is left is no difference.
+
+    Deviations of units, and with them that of the frame they show, have one scale, which the others know by their redundancy; what control
+    says of the frame is known by itself. Both are pooled in the direction of the residual (Yao, 1965, Biometrika 52): a frame that is open
+    in another one does not make the tails lighter.
+    """
+    at_w = np.swapaxes(a, 1, 2) @ weights
+    prior, members = np.linalg.inv(sigma), np.flatnonzero(stable)
+    normals, sides = at_w @ a, np.einsum("nij,nj->ni", at_w, displacements)
+    residuals, spread, known = np.empty_like(displacements), np.empty_like(covariances), np.empty(len(displacements))
+    for k in range(len(displacements)):
+        # summed anew: a difference would cancel what is left of few
+        rest = members[members != k]
+        cofactor = np.linalg.inv(prior + normals[rest].sum(axis=0))
+        cofactor = 0.5 * (cofactor + cofactor.T)
+        residuals[k] = displacements[k] - a[k] @ (cofactor @ sides[rest].sum(axis=0))
+        spread[k] = a[k] @ cofactor @ a[k].T
+        by_prior = cofactor @ prior
+        redundancy = 3 * len(rest) - (len(prior) - np.trace(by_prior))
+        towards = np.linalg.solve(covariances[k] + spread[k], residuals[k])
+        total = float(towards @ residuals[k])
+        share = float(towards @ a[k] @ by_prior @ cofactor @ a[k].T @ towards) / total if total > 0 else 0.0
+        scale = STATED_DEGREES + max(float(redundancy), 0.0)
+        # a frame of which nothing is known is all there is, to the last digit
+        share = min(max(share, 0.0), LARGEST_SHARE)
+        known[k] = 1 / ((1 - share) ** 2 / scale + share**2 / max(degrees, 1.0))
+    return residuals, spread, known
 
 
 def quadratic(vectors: FloatArray, covariances: FloatArray) -> FloatArray:

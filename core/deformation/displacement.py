@@ -113,6 +113,8 @@ class FramePart:
         count where a unit was carried by metres.
     factor
         By which the statistic is divided, so that the level of the test is that of the units at rest.
+    scale_degrees
+        Degrees of freedom with which few units at rest show the scale of deviations: at most these are the test's.
     """
 
     motion: FloatArray
@@ -120,6 +122,7 @@ class FramePart:
     degrees: float
     carried: FloatArray | None = None
     factor: float = 1.0
+    scale_degrees: float = math.inf
 
     def at(self, arms: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Shifts (k, 3) and their covariances (k, 3, 3) at (k, 3) ``arms`` from the unit's centre."""
@@ -189,7 +192,7 @@ def unit_motion(unit: UnitPair, null: NullModel, turn_null: NullModel, frame: Fr
     turn_spread = frame.covariance[3:, 3:]
     # the tests take a unit's own part for t distributed with that scale; what is stated is the variance of that distribution
     statistics = quadratic(vectors, own + spread) / frame.factor
-    degrees = pooled_degrees(own, null.tail, spread, frame.degrees)
+    degrees = np.minimum(pooled_degrees(own, null.tail, spread, frame.degrees), frame.scale_degrees)
     turn_statistic = angle @ np.linalg.solve(own_turn + turn_spread, angle)
     covariances = null.spread * own + spread
     turn_total = turn_null.spread * own_turn + turn_spread

@@ -136,6 +136,7 @@ def compare_epochs(units: TrackedUnits, epochs: Sequence[TrackedEpoch], first: i
     # what neighbours say is the word of many
     known = {"stable": math.inf, "control": congruence.control_degrees}
     factors = {"stable": 1.0, "control": congruence.control_factor}
+    scales = {"stable": _scale_degrees(members, congruence), "control": np.full(len(members.numbers), math.inf)}
     own_frames = [
         {
             datum: FramePart(
@@ -144,6 +145,7 @@ def compare_epochs(units: TrackedUnits, epochs: Sequence[TrackedEpoch], first: i
                 degrees=known[datum],
                 carried=carried,
                 factor=factors[datum],
+                scale_degrees=float(scales[datum][i]),
             )
             for datum in DATUMS
         }
@@ -193,6 +195,13 @@ def _judged_units(members: _Members, congruence: Congruence) -> JudgedUnits:
     )
 
 
+def _scale_degrees(members: _Members, congruence: Congruence) -> FloatArray:
+    """Degrees of freedom with which the others know the scale of each unit's deviations; of one that is not judged, the fewest of all."""
+    known = np.full(len(members.numbers), congruence.scale_degrees.min(initial=math.inf))
+    known[members.judged] = congruence.scale_degrees
+    return known
+
+
 def _rigid(
     members: _Members, epochs: Sequence[TrackedEpoch], first: int, second: int, height: float, degrees: float
 ) -> tuple[Congruence, dict[str, LocalMotions]]:
@@ -201,11 +210,10 @@ def _rigid(
     prior = common_prior(epochs, first, second, origin)
     congruence = congruence_of(vectors[judged], own[judged], centres[judged], prior, origin, height, degrees)
     congruence = with_rigid_scale(congruence, vectors[judged], own[judged], centres[judged])
-    parts = {datum: congruence.rigid_motions(centres, datum) for datum in DATUMS}
-    used = np.zeros(len(centres))
+    used = np.zeros(len(centres), dtype=bool)
     used[judged] = congruence.stable
-    parts["stable"] = parts["stable"].without(vectors, congruence.null.covariance(own), used)
-    return congruence, parts
+    stable = congruence.by_others(centres, vectors, congruence.null.covariance(own), used)
+    return congruence, {"stable": stable, "control": congruence.rigid_motions(centres, "control")}
 
 
 def _elastic(

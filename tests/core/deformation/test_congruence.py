@@ -117,6 +117,41 @@ def test_without_control_the_stable_units_alone_make_the_datum() -> None:
     assert np.sqrt(np.diag(spread)[:3]).min() > 100
 
 
+@pytest.mark.parametrize(("count", "understated"), [(4, 2.5), (7, 4.0)])
+def test_few_units_whose_deviations_are_understated_do_not_vouch_for_each_other(count: int, understated: float) -> None:
+    """Three that agree by chance told all others, with p-values as small as of many, that they moved."""
+    p_values = np.concatenate([at_rest(seed, count, understated).p_values for seed in range(24)])
+    assert np.mean(p_values < 0.001) <= 0.01
+    assert np.mean(p_values < 0.05) <= 0.15
+
+
+def at_rest(seed: int, count: int, understated: float = 1.0, way: float = 0.0) -> Congruence:
+    """Units of 3 mm without control, the first of which moved by a ``way`` in metres."""
+    rng = np.random.default_rng(seed)
+    points = np.column_stack([rng.uniform(0, 40, count), rng.uniform(0, 10, count), rng.uniform(0, 3, count)])
+    vectors = rng.normal(0, 0.003 * understated, (count, 3))
+    vectors[0, 0] += way
+    return congruence_of(vectors, np.tile(np.eye(3) * 0.003**2, (count, 1, 1)), points, None, points.mean(axis=0), 2.3)
+
+
+def test_one_of_few_units_that_moved_is_found_without_control() -> None:
+    results = [at_rest(seed, count, way=0.1) for seed in range(6) for count in (4, 7)]
+    assert all(result.p_values[0] < 0.05 and not result.stable[0] for result in results)
+    assert np.mean(np.concatenate([result.p_values[1:] for result in results]) < 0.05) <= 0.05
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4])
+def test_what_others_say_has_a_covariance_however_few_they_are(count: int) -> None:
+    for seed in range(8):
+        rng = np.random.default_rng(seed)
+        points, vectors = rng.uniform(0, 20, (count, 3)), rng.normal(0, 0.003, (count, 3))
+        covariances = np.tile(np.eye(3) * 0.003**2, (count, 1, 1))
+        result = congruence_of(vectors, covariances, points, None, points.mean(axis=0), 2.3)
+        parts = result.by_others(points, vectors, result.null.covariance(covariances), result.stable)
+        assert np.linalg.eigvalsh(parts.covariances[:, :3, :3]).min() > 0
+        assert (result.p_values > 0.01).all()
+
+
 def test_four_units_of_which_three_moved() -> None:
     """Like the paper's laboratory test: control tells the one that stayed."""
     result, _, moved = judged(5, count=4, moved=3)
