@@ -23,7 +23,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "helpers"
 from bent_coast import BentCoast, bent_coast
 from tetratrack.core.deformation.congruence import congruence_of
 from tetratrack.core.deformation.elastic_congruence import elastic_congruence_of
-from tetratrack.core.deformation.epoch_frames import EpochFrames, PairShifts, TargetShifts, estimate_frames
+from tetratrack.core.deformation.epoch_frames import EpochFrames, PairShifts, estimate_frames
+from tetratrack.core.deformation.target_shifts import TargetShifts
 
 HEIGHT = 2.3
 DEGREES = 40.0
@@ -37,7 +38,11 @@ def frames_of(coast: BentCoast) -> EpochFrames | None:
     names = tuple(f"T{k}" for k in range(len(coast.targets)))
     variances = np.full(coast.targets.shape, coast.target_sd**2)
     targets = [
-        TargetShifts(ids=names, positions=coast.targets, residuals=residuals, variances=variances) if names else None
+        TargetShifts(
+            ids=names, positions=coast.targets, residuals=residuals, variances=variances, surveyed_variances=np.zeros_like(variances)
+        )
+        if names
+        else None
         for residuals in coast.residuals
     ]
     shifts = PairShifts(places=coast.places, vectors=coast.displacements, covariances=coast.covariances)

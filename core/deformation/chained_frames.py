@@ -43,7 +43,7 @@ def chained_errors(frames: EpochFrames, ties: Sequence[FrameTie | None]) -> tupl
     """
     if all(error is None for error in frames.errors) or frames.basis.size > MOST_UNKNOWNS:
         return frames.errors
-    alone = [_prior(frames) if error is None else error for error in frames.errors]
+    alone = [_prior(frames) if error is None else error for error in frames.errors_for_all()]
     before: list[Message | None] = [None] * len(alone)
     for k in range(1, len(alone)):
         before[k] = _passed_on(_with_word(alone[k - 1], before[k - 1]), ties[k - 1], 1.0)

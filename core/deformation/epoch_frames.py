@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Literal
 
@@ -25,6 +25,7 @@ from ..registration.frame_field import FREE_SHIFT, FREE_TURN, RIGID, FieldBasis,
 from ..registration.shift_samples import FEWEST_CELLS, ShiftSample, in_cells
 from ..registration.transformation import rigid_jacobian
 from .target_changes import p_values_of_changes
+from .target_shifts import TargetShifts, difference_of_shared, numbers_of_common, numbers_of_shared
 
 FrameChoice = Literal["auto", "rigid", "elastic"]
 CELL_HEIGHTS = 1.5
@@ -44,34 +45,6 @@ T5_SCALE = 1.2753
 """Variance of normal errors over the squared scale of the t distribution (three components, five degrees) likeliest for them."""
 TARGET_CAUTION = 4.0
 """Factor of the stated deviations of targets while it is not known how well they were measured, and which are disturbed."""
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class TargetShifts:
-    """Targets of an epoch after its rigid registration.
-
-    Attributes
-    ----------
-    ids
-        Names.
-    positions
-        (k, 3) surveyed, control frame less the reduction point, metres.
-    residuals
-        (k, 3) registered cloud less surveyed coordinate, metres.
-    variances
-        (k, 3) stated, square metres.
-    offset_variance
-        Variance per axis of the mean offset of the epoch's strips or stations, which units have and targets do not, square metres.
-    drift_variances
-        (3,) by axis, of the mean of their drifts at a place, in the same way; zero where they are stiff.
-    """
-
-    ids: tuple[str, ...]
-    positions: FloatArray
-    residuals: FloatArray
-    variances: FloatArray
-    offset_variance: float = 0.0
-    drift_variances: FloatArray = field(default_factory=lambda: np.zeros(3))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -110,6 +83,8 @@ class EpochFrames:
         By epoch: error of the registered cloud as its targets see it; None without targets.
     verdicts
         By epoch: its targets judged; None without targets.
+    targets
+        By epoch: those that its frame rests on; None without targets.
     noise_factor
         Of the targets' stated deviations.
     bendings
@@ -124,6 +99,7 @@ class EpochFrames:
     basis: FieldBasis
     errors: tuple[FieldEstimate | None, ...]
     verdicts: tuple[TargetVerdicts | None, ...]
+    targets: tuple[TargetShifts | None, ...]
     noise_factor: float
     bendings: tuple[Bending | None, ...]
     degrees: float
@@ -139,12 +115,34 @@ class EpochFrames:
     def between(self, first: int, second: int) -> tuple[FieldEstimate, FloatArray]:
         """Difference of two epochs as targets see it, the prior where one has none, and the inverse of its covariance."""
         a, b = self.errors[first], self.errors[second]
+        one, other = self.targets[first], self.targets[second]
+        shared = None if one is None or other is None else difference_of_shared(one, other)
+        if shared is not None:
+            basis = self.basis.scaled_by(math.sqrt(2))
+            noise = _likeliest_noise(basis.model, shared)
+            known = _seen_by(basis, basis.precision(), shared, noise**2 * shared.variances)
+            return known, np.asarray(np.linalg.inv(known.covariance), dtype=np.float64)
         if a is None or b is None:
             precision = self.basis.scaled_by(math.sqrt(2)).precision()
             covariance = np.asarray(np.linalg.inv(precision), dtype=np.float64)
             return FieldEstimate(self.basis, np.zeros(self.basis.size), covariance), precision
         covariance = a.covariance + b.covariance
         return FieldEstimate(self.basis, b.mean - a.mean, covariance), np.asarray(np.linalg.inv(covariance), dtype=np.float64)
+
+    def errors_for_all(self) -> tuple[FieldEstimate | None, ...]:
+        """``errors``, each for what it adds to those of the other epochs: once they are put together, coordinates that several epochs
+        share count once."""
+        found = list(self.errors)
+        for k, own in enumerate(self.targets):
+            others = [other for number, other in enumerate(self.targets) if other is not None and number != k]
+            if own is None or not any(len(numbers_of_shared(own, other)[0]) for other in others):
+                continue
+            more = np.zeros(len(own.ids))
+            for other in others:
+                more[numbers_of_shared(own, other)[0]] += 1
+            variances = self.noise_factor**2 * own.variances + more[:, None] * own.surveyed_variances
+            found[k] = _seen_by(self.basis, self.basis.precision(), own, variances)
+        return tuple(found)
 
     def controlled(self, first: int, second: int) -> bool:
         """Whether targets tell the frames of both epochs."""
@@ -194,15 +192,17 @@ def estimate_frames(
     degrees = max(float(np.ptp(model.scaled(places)[:, 0])), FEWEST_DEGREES)
     errors: list[FieldEstimate | None] = []
     verdicts: list[TargetVerdicts | None] = []
+    chosen: list[TargetShifts | None] = []
     for own, change in zip(targets, changes, strict=True):
         if own is None or len(own.ids) < MIN_TARGETS:
             errors.append(None)
             verdicts.append(None)
+            chosen.append(None)
             continue
         used = exclude_by_turns(partial(_p_values, basis.model, own, noise, change), np.ones(len(own.ids), dtype=bool), SNOOPING_LEVEL)
-        weights = np.stack([np.diag(1 / (noise**2 * v)) for v in own.variances])
-        seen = FieldEstimate.from_observations(basis, precision, own.positions[used], own.residuals[used], weights[used])
-        errors.append(_with_mean_of_strips(seen, own))
+        chosen.append(own.chosen(used))
+        seen = _seen_by(basis, precision, own.chosen(used), noise**2 * own.variances[used])
+        errors.append(seen)
         verdicts.append(_verdicts(basis.model, own, noise, change, used, seen))
     return EpochFrames(
         model=basis.model,
@@ -210,10 +210,17 @@ def estimate_frames(
         basis=basis,
         errors=tuple(errors),
         verdicts=tuple(verdicts),
+        targets=tuple(chosen),
         noise_factor=noise,
         bendings=bendings,
         degrees=degrees,
     )
+
+
+def _seen_by(basis: FieldBasis, precision: FloatArray, own: TargetShifts, variances: FloatArray) -> FieldEstimate:
+    """A frame as targets see it whose residuals have (k, 3) ``variances``; ``precision`` of what is known before."""
+    weights = np.stack([np.diag(1 / v) for v in variances])
+    return _with_mean_of_strips(FieldEstimate.from_observations(basis, precision, own.positions, own.residuals, weights), own)
 
 
 def _with_mean_of_strips(seen: FieldEstimate, own: TargetShifts) -> FieldEstimate:
@@ -264,7 +271,7 @@ def _changes_unlike_the_ground(
         # on nodes of its own: the centre of a cell may lie where no unit and so no node of the frames is
         between = FieldBasis.over(model.times(math.sqrt(2)), np.vstack([places, first.positions]), RESOLUTION_HEIGHTS * height)
         ground = FieldEstimate.from_observations(between, between.precision(), places, cells.values[resting], weights)
-        a, b = _numbers_of_common(first, second)
+        a, b = numbers_of_common(first, second)
         p_values = p_values_of_changes(
             common.values,
             first.variances[a] + second.variances[b],
@@ -293,7 +300,7 @@ def _bending_between(pair: PairShifts, targets: Sequence[TargetShifts | None], h
 
 def _common_targets(first: TargetShifts, second: TargetShifts) -> ShiftSample:
     """Targets of two epochs as observations of the difference of their frames."""
-    a, b = _numbers_of_common(first, second)
+    a, b = numbers_of_common(first, second)
     values = second.residuals[b] - first.residuals[a]
     return ShiftSample(
         places=first.positions[a][:, :2],
@@ -301,13 +308,6 @@ def _common_targets(first: TargetShifts, second: TargetShifts) -> ShiftSample:
         variances=TARGET_CAUTION**2 * (first.variances[a] + second.variances[b]),
         fixed=np.ones(len(a), dtype=bool),
     )
-
-
-def _numbers_of_common(first: TargetShifts, second: TargetShifts) -> tuple[IntArray, IntArray]:
-    """Numbers of the targets that both epochs measured, in each."""
-    names = [name for name in first.ids if name in set(second.ids)]
-    a, b = (np.array([own.ids.index(name) for name in names], dtype=np.int64) for own in (first, second))
-    return a, b
 
 
 def _model(
@@ -359,22 +359,31 @@ def _covariance(model: FieldModel, own: TargetShifts, noise: float) -> FloatArra
 
 def _target_factors(model: FieldModel, targets: Sequence[TargetShifts]) -> tuple[float, float]:
     """Factors of the bend and of the stated deviations under which targets are likeliest, disturbed ones weighing less."""
-    best, found = math.inf, (1.0, 1.0)
     rest = [t for t in targets if len(t.ids) >= MIN_TARGETS + 1]
     if not rest:
-        return found
-    for bend in BEND_FACTORS:
-        for noise in NOISE_FACTORS:
-            loss = 0.0
-            for own in rest:
-                statistics, log_determinants = _innovations(model.times(bend), own, noise)
-                # with the tails of t of five degrees of freedom, so that disturbed ones do not decide, its scale that of normal errors
-                loss += float(np.sum(4.0 * np.log1p(T5_SCALE * statistics / 5.0) + 0.5 * log_determinants))
-            # without evidence things are as they are stated
-            loss += 0.5 * (math.log(bend) / math.log(2)) ** 2 + 0.5 * (math.log(noise) / math.log(4)) ** 2
-            if loss < best:
-                best, found = loss, (bend, noise)
-    return found
+        return 1.0, 1.0
+    losses = {
+        # without evidence things are as they are stated
+        (bend, noise): sum(_loss(model.times(bend), own, noise) for own in rest)
+        + 0.5 * (math.log(bend) / math.log(2)) ** 2
+        + 0.5 * (math.log(noise) / math.log(4)) ** 2
+        for bend in BEND_FACTORS
+        for noise in NOISE_FACTORS
+    }
+    return min(losses, key=losses.__getitem__)
+
+
+def _likeliest_noise(model: FieldModel, own: TargetShifts) -> float:
+    """Factor of the stated deviations under which the targets of one frame are likeliest."""
+    losses = {noise: _loss(model, own, noise) + 0.5 * (math.log(noise) / math.log(4)) ** 2 for noise in NOISE_FACTORS}
+    return min(losses, key=losses.__getitem__)
+
+
+def _loss(model: FieldModel, own: TargetShifts, noise: float) -> float:
+    """Negative log-likelihood of targets whose stated deviations are off by a factor."""
+    statistics, log_determinants = _innovations(model, own, noise)
+    # with the tails of t of five degrees of freedom, so that disturbed ones do not decide, its scale that of normal errors
+    return float(np.sum(4.0 * np.log1p(T5_SCALE * statistics / 5.0) + 0.5 * log_determinants))
 
 
 def _innovations(model: FieldModel, own: TargetShifts, noise: float) -> tuple[FloatArray, FloatArray]:

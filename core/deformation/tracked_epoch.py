@@ -12,8 +12,8 @@ from ..common.arrays import FloatArray
 from ..model.pose import Pose
 from ..registration.transformation import Transformation, mean_offset_variance
 from ..segmentation.leg_ends import LegEnds
-from .epoch_frames import TargetShifts
 from .fitted_unit import FittedUnit
+from .target_shifts import TargetShifts
 
 UNNUMBERED = 0
 """Source of points whose strip or station nobody noted (ASPRS LAS specification 1.4, point source ID)."""

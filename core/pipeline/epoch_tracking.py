@@ -16,9 +16,9 @@ from ..common.arrays import FloatArray
 from ..common.feedback import Feedback
 from ..data.survey import Survey
 from ..deformation.displacement import grades_from
-from ..deformation.epoch_frames import TargetShifts
 from ..deformation.fitted_unit import FittedUnit
 from ..deformation.missing_units import Surroundings
+from ..deformation.target_shifts import TargetShifts
 from ..deformation.tracked_epoch import TrackedEpoch
 from ..deformation.tracking import Tracking, track
 from ..deformation.unit_clouds import UnitCloud
@@ -223,6 +223,7 @@ def _targets(registration: Registration | None, origin: FloatArray) -> TargetShi
         positions=np.array([r.position for r in rows]) - origin,
         residuals=np.array([r.residual for r in rows]),
         variances=np.array([r.sds for r in rows]) ** 2,
+        surveyed_variances=np.array([r.surveyed_sds for r in rows]) ** 2,
     )
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..common.arrays import FloatArray
-from ..deformation.epoch_frames import TargetShifts
+from ..deformation.target_shifts import TargetShifts
 from ..registration.transformation import Transformation, transformation_of
 from ..results.geopackage_reader import read_layer_rows
 
@@ -58,11 +58,14 @@ class RegisteredEpoch:
         rows = self.targets
         if not rows or any(row.get(name) is None for row in rows for name in SD_FIELDS):
             return None
+        variances = np.array([[row[name] for name in SD_FIELDS] for row in rows], dtype=np.float64) ** 2
         return TargetShifts(
             ids=tuple(str(row["point_id"]) for row in rows),
             positions=np.array([row["geom"] for row in rows], dtype=np.float64) - origin,
             residuals=np.array([[row["ve"], row["vn"], row["vh"]] for row in rows], dtype=np.float64),
-            variances=np.array([[row[name] for name in SD_FIELDS] for row in rows], dtype=np.float64) ** 2,
+            variances=variances,
+            # the layer does not tell them apart
+            surveyed_variances=np.zeros_like(variances),
         )
 
 

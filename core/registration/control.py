@@ -48,6 +48,8 @@ class ControlResidual:
         (3,) transformed cloud less surveyed coordinate, metres; of an excluded point the error it would have brought.
     sds
         (3,) stated standard deviations of the residual, metres.
+    surveyed_sds
+        (3,) those of the surveyed coordinates alone, metres.
     w_max
         Largest of the three residuals over their standard deviations.
     p_value
@@ -58,6 +60,7 @@ class ControlResidual:
     position: FloatArray
     residual: FloatArray
     sds: FloatArray
+    surveyed_sds: FloatArray
     w_max: float
     p_value: float
     used: bool
@@ -176,6 +179,7 @@ def register(
             position=surveyed[k],
             residual=residuals[k],
             sds=np.sqrt(variances[k]),
+            surveyed_sds=control.sds[pick_control[k]],
             w_max=float(np.max(np.abs(statistic))),
             p_value=float(p_value),
             used=bool(used[k]),

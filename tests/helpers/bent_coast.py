@@ -53,8 +53,12 @@ def waves(rng: np.random.Generator, along: FloatArray, rms: float, shortest: flo
 def bent_coast(
     seed: int, *, length: float = 168.0, rms: float = 0.03, shortest: float = 60.0, longest: float = 300.0, station: float = 50.0,
     slide: tuple[float, float] | None = None, unit_sd: float = 0.0025, target_sd: float = 0.006, density: float = 4.6,
+    control_sd: float = 0.0,
 ) -> BentCoast:  # fmt: skip
-    """A coast of ``length`` metres with ``density`` units a metre; every ``station`` metres eight targets on the wall behind them."""
+    """A coast of ``length`` metres with ``density`` units a metre; every ``station`` metres eight targets on the wall behind them.
+
+    Their coordinates were surveyed once, to ``control_sd``, for all epochs.
+    """
     rng = np.random.default_rng(seed)
     count = int(length * density)
     along, across = rng.uniform(0, length, count), rng.uniform(0, 15, count)
@@ -77,6 +81,7 @@ def bent_coast(
     # understated as real covariances are
     errors = 1.15 * np.einsum("nij,nj->ni", roots, rng.normal(size=(count, 3)))
     targets = _placed(along_targets, across_targets, np.full(len(along_targets), 9.0))
+    control = np.random.default_rng([seed, 1]).normal(0, control_sd, targets.shape)
     return BentCoast(
         places=_placed(along, across, 8 - 0.5 * across),
         displacements=bends[1][:count] - bends[0][:count] + motions + errors,
@@ -85,8 +90,8 @@ def bent_coast(
         bends=(bends[0][:count], bends[1][:count]),
         targets=targets,
         residuals=(
-            bends[0][count:] + rng.normal(0, target_sd, targets.shape),
-            bends[1][count:] + rng.normal(0, target_sd, targets.shape),
+            bends[0][count:] + rng.normal(0, target_sd, targets.shape) - control,
+            bends[1][count:] + rng.normal(0, target_sd, targets.shape) - control,
         ),
         target_sd=target_sd,
     )

@@ -11,7 +11,8 @@ from bent_coast import DIRECTION, BentCoast, bent_coast
 from numpy.typing import NDArray
 from tetratrack.core.deformation.chained_frames import chained_errors
 from tetratrack.core.deformation.elastic_congruence import ElasticDatum, elastic_congruence_of
-from tetratrack.core.deformation.epoch_frames import EpochFrames, PairShifts, TargetShifts, estimate_frames
+from tetratrack.core.deformation.epoch_frames import EpochFrames, PairShifts, estimate_frames
+from tetratrack.core.deformation.target_shifts import TargetShifts
 from tetratrack.core.registration.frame_field import FieldBasis, FieldEstimate, FieldModel, information_of
 
 HEIGHT = 2.3
@@ -19,15 +20,17 @@ FloatArray = NDArray[np.float64]
 
 
 def frames_and_datum(
-    coast: BentCoast, with_targets: tuple[bool, bool] = (True, True), drift: float = 0.0
+    coast: BentCoast, with_targets: tuple[bool, bool] = (True, True), drift: float = 0.0, control_sd: float = 0.0, told: bool = True
 ) -> tuple[EpochFrames, ElasticDatum]:
+    """``told`` says whether it is known that both epochs have the same surveyed coordinates, good to ``control_sd``."""
     names = tuple(f"T{k:02d}" for k in range(len(coast.targets)))
     targets = [
         TargetShifts(
             ids=names,
             positions=coast.targets,
             residuals=own,
-            variances=np.full(own.shape, coast.target_sd**2),
+            variances=np.full(own.shape, coast.target_sd**2 + control_sd**2),
+            surveyed_variances=np.full(own.shape, control_sd**2 * told),
             drift_variances=np.full(3, drift**2),
         )
         if given
@@ -82,6 +85,33 @@ def test_units_that_rest_bring_the_targets_of_both_epochs_together() -> None:
         squares += normalised
     assert np.sqrt(np.mean(np.square(chained)) / np.mean(np.square(alone))) < 0.8
     assert 0.5 < np.mean(squares) < 1.6
+
+
+@pytest.mark.parametrize(("told", "least", "most"), [(False, 1.6, 5.0), (True, 0.6, 1.5)])
+def test_coordinates_surveyed_once_for_all_epochs_count_once(told: bool, least: float, most: float) -> None:
+    """Control is good to 8 mm, the cloud to 2: both epochs of a frame that hardly bends err by what the control does."""
+    squares = []
+    for seed in range(5):
+        coast = bent_coast(seed, rms=0.02, station=40.0, target_sd=0.002, control_sd=0.008)
+        frames, datum = frames_and_datum(coast, control_sd=0.008, told=told)
+        squares += errors_of(coast, chained_errors(frames, [datum]))[1]
+    assert least < np.mean(squares) < most
+
+
+def test_displacements_against_control_surveyed_once_are_known_as_well_as_the_cloud_is() -> None:
+    """What both epochs share drops out of the difference of their frames, whose deviation is true."""
+    squares, shares = [], []
+    for seed in range(4):
+        coast = bent_coast(seed, rms=0.02, station=25.0, target_sd=0.002, control_sd=0.008)
+        away, sds = [], []
+        for told in (True, False):
+            known = frames_and_datum(coast, control_sd=0.008, told=told)[0].between(0, 1)[0].at(coast.places)
+            away.append(known.means[:, :3] - (coast.bends[1] - coast.bends[0]))
+            sds.append(np.einsum("kii->ki", known.covariances[:, :3, :3]))
+        squares.append(np.mean(away[0] ** 2 / sds[0]))
+        shares.append(np.mean(sds[0]) / np.mean(sds[1]))
+    assert 0.5 < np.mean(squares) < 1.6
+    assert np.mean(shares) < 0.6
 
 
 def test_an_epoch_without_targets_stands_on_those_of_the_other() -> None:

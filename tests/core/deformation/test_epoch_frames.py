@@ -10,7 +10,8 @@ from bent_coast import BentCoast, bent_coast
 from numpy.typing import NDArray
 from tetratrack.core.deformation.congruence import Congruence
 from tetratrack.core.deformation.elastic_congruence import elastic_congruence_of
-from tetratrack.core.deformation.epoch_frames import EpochFrames, PairShifts, TargetShifts, estimate_frames
+from tetratrack.core.deformation.epoch_frames import EpochFrames, PairShifts, estimate_frames
+from tetratrack.core.deformation.target_shifts import TargetShifts
 from tetratrack.core.registration.frame_field import LocalMotions
 
 HEIGHT = 2.3
@@ -26,7 +27,11 @@ def frames_of(coast: BentCoast, disturbed: int | None = None, choice: str = "aut
             if disturbed is not None and epoch == 1:
                 own[disturbed] += [0.06, 0.05, 0.0]
             targets[epoch] = TargetShifts(
-                ids=names, positions=coast.targets, residuals=own, variances=np.full(own.shape, coast.target_sd**2)
+                ids=names,
+                positions=coast.targets,
+                residuals=own,
+                variances=np.full(own.shape, coast.target_sd**2),
+                surveyed_variances=np.zeros(own.shape),
             )
     shifts = PairShifts(places=coast.places, vectors=coast.displacements, covariances=coast.covariances)
     return estimate_frames([shifts], targets, coast.places, HEIGHT, choice)  # type: ignore[arg-type]
@@ -214,6 +219,7 @@ def test_badly_measured_targets_of_a_single_epoch_are_no_bend() -> None:
         own = TargetShifts(
             ids=tuple(map(str, range(len(coast.targets)))), positions=coast.targets,
             residuals=rng.normal(0, 0.018, coast.targets.shape), variances=np.full(coast.targets.shape, 0.006**2),
+            surveyed_variances=np.zeros(coast.targets.shape),
         )  # fmt: skip
         assert estimate_frames([], [own], coast.places, HEIGHT, "auto") is None
 
@@ -222,7 +228,7 @@ def test_a_single_epoch_bends_as_its_targets_show() -> None:
     coast = bent_coast(2, station=20.0)
     own = TargetShifts(
         ids=tuple(map(str, range(len(coast.targets)))), positions=coast.targets, residuals=coast.residuals[0],
-        variances=np.full(coast.targets.shape, 0.006**2),
+        variances=np.full(coast.targets.shape, 0.006**2), surveyed_variances=np.zeros(coast.targets.shape),
     )  # fmt: skip
     frames = estimate_frames([], [own], coast.places, HEIGHT, "auto")
     assert frames is not None

@@ -11,8 +11,9 @@ from curved_structures import line_of, units_along
 from tetratrack.core.deformation import stretches as stretches_module
 from tetratrack.core.deformation.congruence import Congruence, congruence_of
 from tetratrack.core.deformation.elastic_congruence import ElasticDatum, elastic_congruence_of
-from tetratrack.core.deformation.epoch_frames import PairShifts, TargetShifts, estimate_frames
+from tetratrack.core.deformation.epoch_frames import PairShifts, estimate_frames
 from tetratrack.core.deformation.stretches import JudgedUnits, StretchMotion, motions_of_stretches, stretches_of
+from tetratrack.core.deformation.target_shifts import TargetShifts
 from tetratrack.core.registration.frame_field import FieldBasis, FieldEstimate, FieldModel
 
 HEIGHT = 2.3
@@ -71,7 +72,12 @@ def test_a_coast_at_rest_known_to_a_millimetre_shows_no_motion(coast: BentCoast,
     """What others say of a stretch errs as the bend is rough there: with tails as heavy as the others show, or as so few leave them."""
     names = tuple(map(str, range(len(coast.targets))))
     variances = np.full(coast.targets.shape, coast.target_sd**2)
-    targets = [TargetShifts(ids=names, positions=coast.targets, residuals=own, variances=variances) for own in coast.residuals]
+    targets = [
+        TargetShifts(
+            ids=names, positions=coast.targets, residuals=own, variances=variances, surveyed_variances=np.zeros_like(variances)
+        )
+        for own in coast.residuals
+    ]  # fmt: skip
     shifts = PairShifts(places=coast.places, vectors=coast.displacements, covariances=coast.covariances)
     frames = estimate_frames([shifts], targets, coast.places, HEIGHT, "auto")
     assert frames is not None

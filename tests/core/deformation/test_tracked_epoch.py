@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 
 import numpy as np
 import pytest
-from tetratrack.core.deformation.epoch_frames import TargetShifts
+from tetratrack.core.deformation.target_shifts import TargetShifts
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
 from tetratrack.core.registration.transformation import Transformation
 
@@ -44,7 +44,10 @@ def test_a_single_station_is_known_as_well_as_its_targets() -> None:
 
 def test_what_strips_drift_in_the_mean_is_in_a_rigid_registration() -> None:
     """Targets do not drift with the strips: units are known less well, axis by axis, and the targets themselves are told so."""
-    targets = TargetShifts(ids=("T1",), positions=np.zeros((1, 3)), residuals=np.zeros((1, 3)), variances=np.full((1, 3), 1e-6))
+    nothing = np.zeros((1, 3))
+    targets = TargetShifts(
+        ids=("T1",), positions=nothing, residuals=nothing, variances=np.full((1, 3), 1e-6), surveyed_variances=nothing
+    )  # fmt: skip
     stiff = replace(EPOCH.with_mean_offset({0: np.zeros(3)}, 0.015), targets=targets)
     drifting = replace(stiff, drift_variances=np.array([16e-6, 9e-6, 4e-6]))
     assert stiff.placement is not None

@@ -16,8 +16,8 @@ from scipy.spatial.transform import Rotation
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey_reader import read_survey
-from tetratrack.core.deformation.epoch_frames import TargetShifts
 from tetratrack.core.deformation.fitted_unit import FittedUnit
+from tetratrack.core.deformation.target_shifts import TargetShifts
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
 from tetratrack.core.deformation.tracking import track
 from tetratrack.core.deformation.unit_clouds import UnitCloud
@@ -106,7 +106,10 @@ def tracked(coast: BentCoast) -> list[TrackedEpoch]:
             for k, pose in enumerate(poses(coast, epoch))
         )  # fmt: skip
         variances = np.full(coast.targets.shape, coast.target_sd**2)
-        targets = TargetShifts(ids=names, positions=coast.targets - base, residuals=coast.residuals[epoch], variances=variances)
+        targets = TargetShifts(
+            ids=names, positions=coast.targets - base, residuals=coast.residuals[epoch], variances=variances,
+            surveyed_variances=np.zeros_like(variances),
+        )  # fmt: skip
         placed = Transformation.identity(np.zeros(3))
         found.append(
             TrackedEpoch(
