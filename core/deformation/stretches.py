@@ -32,6 +32,12 @@ DATUMS = ("stable", "control")
 STRETCH_HEIGHTS = 10.0
 """Length of a stretch in heights of a unit."""
 FEWEST_UNITS = 5
+FEWEST_OF_DATUM = 3
+"""Units that know a rigid frame where there is no control."""
+FEW_STRETCHES = 20
+"""Stretches up to which one that moved shifts and turns a rigid frame under the others by what matters; of more each holds too little."""
+OVERLAPPING = 3
+"""A stretch and the two that it overlaps."""
 FEWEST_OTHERS = 4
 """Other stretches, none of them overlapping, from which their variance is learned for datum ``control``: fewer may lie on what moved."""
 NO_OTHERS = 1.0
@@ -101,7 +107,32 @@ def stretches_of(places: FloatArray, height: float) -> tuple[list[IntArray], Flo
 def motions_of_stretches(
     units: JudgedUnits, congruence: Congruence, elastic: ElasticDatum | None, height: float
 ) -> dict[str, list[StretchMotion]]:
-    """Common motion of every stretch with enough units, by datum."""
+    """Common motion of every stretch with enough units, by datum.
+
+    Rigid frames reach everywhere, so that a stretch which moved turns them under all others: the clearest one is told first, and the others
+    are judged again without it, where enough of them say which one that is. Bent frames are known without what moved as one.
+    """
+    found = _all_motions(units, congruence, elastic, height)
+    stretches, *_ = stretches_of(units.places, height)
+    numbers = [k for k, own in enumerate(stretches) if len(own) >= FEWEST_UNITS]
+    if elastic is not None or not FEWEST_OTHERS + OVERLAPPING <= len(numbers) <= FEW_STRETCHES:
+        return found
+    rests = congruence.stable
+    told: set[int] = set()
+    while clear := [
+        (motion.p_value, k) for k, motion in zip(numbers, found["stable"], strict=True) if motion.adjusted < SIGNIFICANCE and k not in told
+    ]:
+        told.add(min(clear)[1])
+        rests = rests.copy()
+        rests[stretches[min(clear)[1]]] = False
+        if rests.sum() < FEWEST_UNITS:
+            break
+        found = _all_motions(units, replace(congruence, stable=rests), None, height)
+    return found
+
+
+def _all_motions(units: JudgedUnits, congruence: Congruence, elastic: ElasticDatum | None, height: float) -> dict[str, list[StretchMotion]]:
+    """Of every stretch with enough units, by datum, in a datum ``stable`` of the given units."""
     stretches, _, length = stretches_of(units.places, height)
     numbers = [k for k, own in enumerate(stretches) if len(own) >= FEWEST_UNITS]
     means = {datum: [_mean_motion(units, stretches[k], congruence, elastic, datum, height) for k in numbers] for datum in DATUMS}
@@ -162,10 +193,10 @@ def _motions_of_others(
     """Motions in datum ``stable`` of the stretches apart from stretch ``k``; ``means`` are those of all ``numbers``.
 
     Rigid frames reach everywhere: what ``k`` did is in the datum of each other, which so would seem to differ by as much. There they are
-    judged without it.
+    judged without it, unless there are many.
     """
     apart = [i for i, j in enumerate(numbers) if abs(j - k) > 1]
-    if elastic is not None:
+    if elastic is not None or len(numbers) > FEW_STRETCHES:
         return [means[i] for i in apart]
     resting = congruence.stable.copy()
     resting[stretches[k]] = False
@@ -220,7 +251,9 @@ def _frame_part(
         if datum == "stable":
             keep = congruence.stable.copy()
             keep[own] = False
-            others = congruence.resting_on(keep, units.vectors, units.covariances, units.places)
+            # without control too few others say nothing of the frames: the stretch is all there is
+            if keep.sum() >= FEWEST_OF_DATUM or not math.isnan(congruence.common_p_value):
+                others = congruence.resting_on(keep, units.vectors, units.covariances, units.places)
         middle = others.rigid_motions(places.mean(axis=0)[None], datum)
         return others.rigid_motions(places, datum).means[:, :3], middle.covariances[0, :3, :3]
     if datum == "stable":
@@ -268,13 +301,16 @@ def _adjusted_without(units: JudgedUnits, own: IntArray, elastic: ElasticDatum) 
 def _robust_mean(values: FloatArray, covariances: FloatArray, height: float) -> tuple[FloatArray, FloatArray]:
     """Mean of (k, 3) values that units which moved on their own do not pull, and its covariance."""
     centre = np.median(values, axis=0)
+    # what units differ by beyond their covariances counts for the weights; the mean's own covariance is told by the values themselves
     inverse = np.linalg.inv(covariances + (0.002 * height) ** 2 * np.eye(3))
-    cofactor = np.linalg.inv(inverse.sum(axis=0))
+    own = np.linalg.inv(covariances)
+    spread = np.zeros((3, 3))
     for _ in range(8):
         residual = values - centre
-        misfit = np.einsum("ni,nij,nj->n", residual, inverse, residual)
-        weights, size = t_weights(misfit)
+        weights, _ = t_weights(np.einsum("ni,nij,nj->n", residual, inverse, residual))
         weighted = inverse * weights[:, None, None]
-        cofactor = np.linalg.inv(weighted.sum(axis=0)) * size
-        centre = cofactor / size @ np.einsum("nij,nj->i", weighted, values)
-    return centre, cofactor
+        cofactor = np.linalg.inv(weighted.sum(axis=0))
+        centre = cofactor @ np.einsum("nij,nj->i", weighted, values)
+        _, size = t_weights(np.einsum("ni,nij,nj->n", residual, own, residual))
+        spread = size * cofactor @ np.einsum("nij,njk,nkl->il", weighted, covariances, weighted) @ cofactor
+    return centre, spread

@@ -184,6 +184,7 @@ def pair_rows(tracking: Tracking, epochs: Sequence[TrackedEpoch], origin: FloatA
                 "units": len(test.stable),
                 "stable_units": int(test.stable.sum()),
                 "global_statistic": test.global_statistic,
+                "global_degrees": None,
                 "global_p_value": test.global_p_value,
                 "common_e": test.motion[0],
                 "common_n": test.motion[1],

@@ -329,7 +329,9 @@ def survey_of_tiles(places: Sequence[Path], given: Given, target: Path, feedback
         The files leave something open.
     """
     own = places[0] / "survey.toml"
-    if len(places) == 1 and own.is_file():
+    # a draft of the same command made before is drafted anew; what a person wrote or corrected counts
+    drafted = own.is_file() and own.absolute() == target.absolute() and is_as_drafted(own.read_text(encoding="utf-8", errors="replace"))
+    if len(places) == 1 and own.is_file() and not drafted:
         feedback.info(f"taking {own}")
         return stated_survey(own, given)
     stated = next((place for place in places if place.suffix.lower() == ".toml"), None)

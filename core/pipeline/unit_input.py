@@ -76,7 +76,10 @@ def read_given_units(path: Path, survey: Survey) -> dict[str, list[GivenUnit]]:
 def _kind_of(row: Mapping[str, Any], units: Sequence[SurveyUnit], source: Path) -> int:
     """Index of the type of a row of ``units``; of several types of one name that of the nearest height."""
     name, height = row.get("unit_type"), row.get("height")
-    named = [k for k, unit in enumerate(units) if name == unit.type.name] if name else list(range(len(units)))
+    named = [k for k, unit in enumerate(units) if _is_called(unit, name)] if name else list(range(len(units)))
+    if name and not named and height is not None:
+        # the same kind of unit by its name in the catalogue, which ends with its mass
+        named = [k for k, unit in enumerate(units) if _kind(unit.type.name) == _kind(name) and _is_as_high(unit, height)]
     if not named:
         known = ", ".join(dict.fromkeys(unit.type.name for unit in units))
         raise InputError(f"names the type of unit {name!r}", source=source, where="layer units", remedy=f"Types of the survey: {known}.")
@@ -85,15 +88,26 @@ def _kind_of(row: Mapping[str, Any], units: Sequence[SurveyUnit], source: Path) 
             raise InputError("says of a unit neither type nor height", source=source, where="layer units", remedy=GIVE)
         return named[0]
     nearest = min(named, key=lambda k: abs(units[k].type.height - height))
-    expected = units[nearest].type.height
-    if abs(height - expected) > SAME_HEIGHT * expected:
+    if not _is_as_high(units[nearest], height):
         raise InputError(
-            f"holds units of height {height:g} m, the survey has {expected:g} m",
+            f"holds units of height {height:g} m, the survey has {units[nearest].type.height:g} m",
             source=source,
             where="layer units, field height",
             remedy="Correct height in survey.toml, or find the units anew (tetratrack segment).",
         )
     return nearest
+
+
+def _is_called(unit: SurveyUnit, name: str) -> bool:
+    return unit.type.name.casefold() == name.casefold()
+
+
+def _kind(name: str) -> str:
+    return name.casefold().split(maxsplit=1)[0]
+
+
+def _is_as_high(unit: SurveyUnit, height: float) -> bool:
+    return abs(height - unit.type.height) <= SAME_HEIGHT * unit.type.height
 
 
 def check_places(

@@ -292,6 +292,7 @@ LAYERS: dict[str, Layer] = {
                 Field(
                     "global_statistic", "real", "test that no unit moved: all units' p-values combined to a value of a Cauchy distribution"
                 ),
+                Field("global_degrees", "integer", "empty; in results of earlier versions the degrees of freedom of a sum of squares"),
                 Field("global_p_value", "real", "p-value of the global test"),
                 Field("common_e", "real", "common motion of the stable set in the control frame, easting", "m"),
                 Field("common_n", "real", "common motion of the stable set in the control frame, northing", "m"),

@@ -14,8 +14,12 @@ import numpy as np
 import open3d
 import pytest
 from las_files import grid_points, write_las
+from tetratrack.core.common.errors import InputError
+from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.tiles import inspect_tile, read_points
+from tetratrack.core.pipeline.given_survey import Given
+from tetratrack.core.pipeline.new_survey import survey_of_tiles
 from tetratrack.scripts.cli import app
 from typer.testing import CliRunner
 
@@ -79,6 +83,18 @@ def test_a_draft_is_written_again_until_it_is_corrected(tmp_path: Path) -> None:
             assert "survey.toml: was corrected since it was drafted" in refused.stderr
             assert f"tetratrack run {draft}" in refused.stderr
         assert draft.read_text(encoding="utf-8") == corrected
+
+
+def test_a_run_that_drafted_a_folders_survey_can_be_made_again(tmp_path: Path) -> None:
+    """The draft lies beside the result, here in the folder itself: it is no survey of the folder's own until somebody corrects it."""
+    shutil.copytree(TINY / "tiles", tmp_path / "tiles")
+    draft = tmp_path / "tiles" / "survey.toml"
+    for height in (2.3, 2.4):
+        survey = survey_of_tiles([tmp_path / "tiles"], Given(height=height), draft, Feedback())
+        assert survey.unit.height == height
+    draft.write_text(draft.read_text(encoding="utf-8") + "# mine\n", encoding="utf-8")
+    with pytest.raises(InputError, match="are for folders without"):
+        survey_of_tiles([tmp_path / "tiles"], Given(height=2.3), draft, Feedback())
 
 
 def test_a_missing_crs_is_asked_for(tmp_path: Path) -> None:

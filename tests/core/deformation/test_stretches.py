@@ -43,18 +43,52 @@ def test_units_with_errors_of_their_own_show_no_motion_of_stretches() -> None:
     assert not any(s.adjusted < 0.05 for seed in range(10) for s in stretches(seed, 0.0))
 
 
+def of_stiff_frames(seed: int, length: float, settlement: float) -> list[StretchMotion]:
+    """Stretches of a coast whose 23 m in the middle settled, of units of 3 mm, in datum ``stable``."""
+    rng = np.random.default_rng(seed)
+    count = round(1.15 * length)
+    places = np.column_stack([np.sort(rng.uniform(0, length, count)), rng.uniform(0, 8, count), rng.uniform(0, 3, count)])
+    covariances, vectors = np.tile(np.eye(3) * 0.003**2, (count, 1, 1)), rng.normal(0, 0.003, (count, 3))
+    vectors[np.abs(places[:, 0] - length / 2) < 11.5, 2] -= settlement
+    prior = np.diag([0.01**2] * 3 + [0.001**2] * 3 + [0.0])
+    congruence = congruence_of(vectors, covariances, places, prior, places.mean(axis=0), HEIGHT)
+    units = JudgedUnits(places=places, vectors=vectors, covariances=congruence.null.covariance(covariances))
+    return motions_of_stretches(units, congruence, None, HEIGHT)["stable"]
+
+
+@pytest.mark.parametrize("length", [92.0, 161.0])
+def test_a_settled_stretch_of_stiff_frames_is_told_and_no_other(length: float) -> None:
+    """Its mean is known as well as its units scatter, and what it turned the frame by is not laid to the others."""
+    told, others, squares = 0, 0, []
+    for seed in range(100, 112):
+        rows = of_stiff_frames(seed, length, 0.010)
+        apart = [row for row in rows if abs(row.place[0] - length / 2) > 22]
+        told += min(rows, key=lambda row: abs(row.place[0] - length / 2)).adjusted < 0.05
+        others += sum(row.adjusted < 0.05 for row in apart)
+        squares += [row.motion @ np.linalg.solve(row.covariance, row.motion) / 3 for row in apart]
+    assert told >= 11
+    assert others == 0
+    # their variance is learned from a few others, with heavy tails
+    assert 0.2 < np.mean(squares) < 1.5
+
+
+def test_a_single_stretch_without_control_is_all_there_is() -> None:
+    """No other unit and no target says how the frames lie: it rests in its own datum, and nothing of kilometres is stated."""
+    rng = np.random.default_rng(4)
+    places = np.column_stack([np.sort(rng.uniform(0, 20, 40)), rng.uniform(0, 8, 40), rng.uniform(0, 3, 40)])
+    covariances, vectors = np.tile(np.eye(3) * 0.003**2, (40, 1, 1)), rng.normal([3.0, -2.0, 0.5], 0.003, (40, 3))
+    congruence = congruence_of(vectors, covariances, places, None, places.mean(axis=0), HEIGHT)
+    units = JudgedUnits(places=places, vectors=vectors, covariances=congruence.null.covariance(covariances))
+    (only,) = motions_of_stretches(units, congruence, None, HEIGHT)["stable"]
+    assert np.abs(only.motion).max() < 0.001
+    assert only.detectable < 0.01
+
+
 def test_a_stretch_of_stiff_frames_is_judged_by_all_others() -> None:
     """A third of 69 m settles by 8 mm, too little for units of 3 mm to leave the datum one by one."""
     away, found = [], []
     for seed in range(12):
-        rng = np.random.default_rng(seed)
-        places = np.column_stack([np.sort(rng.uniform(0, 69, 80)), rng.uniform(0, 8, 80), rng.uniform(0, 3, 80)])
-        covariances, vectors = np.tile(np.eye(3) * 0.003**2, (80, 1, 1)), rng.normal(0, 0.003, (80, 3))
-        vectors[np.abs(places[:, 0] - 34.5) < 11.5, 2] -= 0.008
-        prior = np.diag([0.01**2] * 3 + [0.001**2] * 3 + [0.0])
-        congruence = congruence_of(vectors, covariances, places, prior, places.mean(axis=0), HEIGHT)
-        units = JudgedUnits(places=places, vectors=vectors, covariances=congruence.null.covariance(covariances))
-        rows = motions_of_stretches(units, congruence, None, HEIGHT)["stable"]
+        rows = of_stiff_frames(seed, 69.0, 0.008)
         middle = min(rows, key=lambda row: abs(row.place[0] - 34.5))
         away.append((middle.motion[2] + 0.008) / math.sqrt(middle.covariance[2, 2]))
         found.append(middle.motion[2])

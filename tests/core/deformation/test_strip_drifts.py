@@ -11,7 +11,6 @@ from tetratrack.core.deformation.strip_drifts import GAUGE_WEIGHT, DriftSystem, 
 from tetratrack.core.deformation.strip_systems import DriftStep
 
 HEIGHT, STRIPS = 2.3, 12
-AXIS = (1.0, 0.0)
 
 
 def coast(units: int, length: float, reach: int = STRIPS) -> tuple[Knots, list[UnitEquations]]:

@@ -159,8 +159,13 @@ def test_types_of_units_are_told_by_name_and_height(units: Path, tiny: Path) -> 
     large = replace(survey.units[0], type=UnitType.tetrapod(2 * survey.unit.height))
     several = replace(survey, units=(large, *survey.units))
     assert {unit.kind for known in read_given_units(units, several).values() for unit in known} == {1}
-    _changed("UPDATE units SET unit_type = NULL")(units)
-    assert {unit.kind for known in read_given_units(units, several).values() for unit in known} == {1}
+    for statement in (
+        "UPDATE units SET unit_type = 'Tetrapod'",
+        "UPDATE units SET unit_type = 'tetrapod 8 t'",
+        "UPDATE units SET unit_type = NULL",
+    ):
+        _changed(statement)(units)
+        assert {unit.kind for known in read_given_units(units, several).values() for unit in known} == {1}
     _changed("UPDATE units SET height = NULL")(units)
     with pytest.raises(InputError, match="neither type nor height"):
         read_given_units(units, several)
