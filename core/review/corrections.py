@@ -382,7 +382,7 @@ def _log(
     )
     settle(connection, editor.strip())
     redraw_bodies(connection, {unit_id, str(before.get("name", unit_id)), *_units_of(before)})
-    connection.execute("UPDATE gpkg_contents SET last_change = ?", (now_utc(),))
+    connection.execute("UPDATE gpkg_contents SET last_change = ? WHERE table_name <> 'epochs'", (now_utc(),))
 
 
 def _units_of(before: dict[str, Any]) -> set[str]:

@@ -55,9 +55,9 @@ class Tally:
 
 
 SURVEY = (("inspect", "survey.toml"),)
-CHEAP = ("alarms result.gpkg -o out.csv --threshold 0", "features result.gpkg -o out.gpkg", "track result.gpkg -o out.gpkg")
+CHEAP = ("alarms result.gpkg -o out.csv --threshold 0", "features result.gpkg -o points.gpkg", "track result.gpkg -o out.gpkg")
 COSTLY = ("export result.gpkg -o out", "model result.gpkg -o out.json", "report result.gpkg -o out.html")
-VALIDATE = "validate result.gpkg --check check.csv --picks picks.csv --epoch {epoch} -o out.gpkg"
+VALIDATE = "validate result.gpkg --check check.csv --picks picks.csv --epoch {epoch} -o checked.gpkg"
 REFIT = "refit result.gpkg --unit {unit} --epoch {epoch} --near {near} --editor me"
 
 

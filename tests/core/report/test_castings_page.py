@@ -58,7 +58,7 @@ def test_broken_legs_are_shown_listed_and_counted(result: Path, tmp_path: Path) 
     assert data.figures["mould_0"].startswith("data:image/png")
     assert data.damage is not None
     assert sum(section.broken for section in data.damage.sections) == data.damage.n_broken == 1
-    write_alarms(result, tmp_path / "a.csv", 1e3)
+    write_alarms(result, tmp_path / "a.csv", 10.0)
     with (tmp_path / "a.csv").open(encoding="utf-8-sig") as stream:
         rows = list(csv.DictReader(stream))
     assert {row["unit_id"]: (row["broken_legs"], row["leg_missing"]) for row in rows}[broken.unit_id] == ("2", "0.42")
