@@ -49,7 +49,7 @@ def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: F
     OutputError
         The folder cannot be written, or a file would replace an input or another output.
     """
-    infos = epochs_of(survey, result)
+    infos = epochs_of(survey, result, feedback)
     sizes = unit_sizes(list(infos.values()))
     rows = [row for row in read_layer_rows(result, "units") if row["geom"] is not None and row["status"] != "uncertain"]
     bends = read_layer_rows(result, "frame_errors")

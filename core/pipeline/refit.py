@@ -57,7 +57,7 @@ def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[
     OutputError
         The index cannot be written.
     """
-    infos, state = epochs_of(survey, result), frames_state(result)
+    infos, state = epochs_of(survey, result, feedback), frames_state(result)
     centres = [row["geom"] for row in read_layer_rows(result, "units") if row["geom"] is not None]
     height = max(unit.type.height for unit in survey.units)
     plans = plan_survey(survey, feedback.part(0.0, 0.05))

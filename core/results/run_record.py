@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from ..common.errors import InputError
+from ..common.feedback import Feedback
 from ..common.software import code_fingerprint, software_version
 from ..data.las_files import checksum
 from ..data.survey import Epoch, Survey
@@ -84,10 +85,11 @@ def record_run(survey: Survey, seed: int, settings: Mapping[str, Any]) -> RunRec
     return RunRecord(checksums, seed, settings)
 
 
-def epochs_of(survey: Survey, path: Path) -> dict[str, EpochInfo]:
+def epochs_of(survey: Survey, path: Path, feedback: Feedback) -> dict[str, EpochInfo]:
     """Epochs of a result by label, all of the survey's among them, from the same tiles.
 
-    Results of earlier versions that do not record their inputs are taken by their labels.
+    A tile of a known name that was written anew since, as with more dimensions, is taken with a warning. Results of earlier versions that
+    do not record their inputs are taken by their labels.
 
     Raises
     ------
@@ -100,21 +102,29 @@ def epochs_of(survey: Survey, path: Path) -> dict[str, EpochInfo]:
         raise InputError(f"has no epoch {missing[0]}", source=path, remedy=GIVE)
     for epoch in survey.epochs:
         used = {record["sha256"]: record["name"] for record in infos[epoch.label].settings.get("inputs", [])}
-        if not used:
-            continue
-        with ThreadPoolExecutor(4) as pool:
-            sums = dict(zip(epoch.tiles, pool.map(checksum, epoch.tiles), strict=True))
-        foreign = next((tile for tile, found in sums.items() if found not in used), None)
-        if foreign is not None:
-            raise InputError(f"was not computed from {foreign}", source=path, where=f"epoch {epoch.label}", remedy=GIVE)
-        endings = {tile.suffix.lower() for tile in epoch.tiles}
-        others = {found: name for found, name in used.items() if Path(name).suffix.lower() in endings}
-        absent = next((name for found, name in others.items() if found not in set(sums.values())), None)
-        if absent is not None:
-            raise InputError(
-                f"was computed from {absent} too, which the survey does not have", source=path, where=f"epoch {epoch.label}", remedy=GIVE
-            )
+        if used:
+            for tile in _changed_tiles(epoch, used, path):
+                feedback.warning(f"{tile} was written anew since {path.name} was computed: units are looked for where they were then")
     return infos
+
+
+def _changed_tiles(epoch: Epoch, used: Mapping[str, str], path: Path) -> list[Path]:
+    """Tiles whose content is not that of the tile of their name in a result; ``used`` holds its inputs' names by checksum."""
+    with ThreadPoolExecutor(4) as pool:
+        sums = dict(zip(epoch.tiles, pool.map(checksum, epoch.tiles), strict=True))
+    endings, known = {tile.suffix.lower() for tile in epoch.tiles}, set(sums.values())
+    absent = [name for found, name in used.items() if found not in known and Path(name).suffix.lower() in endings]
+    changed = []
+    for tile in (tile for tile, found in sums.items() if found not in used):
+        if tile.name not in absent:
+            raise InputError(f"was not computed from {tile}", source=path, where=f"epoch {epoch.label}", remedy=GIVE)
+        absent.remove(tile.name)
+        changed.append(tile)
+    if absent:
+        raise InputError(
+            f"was computed from {absent[0]} too, which the survey does not have", source=path, where=f"epoch {epoch.label}", remedy=GIVE
+        )
+    return changed
 
 
 def library_versions() -> dict[str, str]:

@@ -80,11 +80,12 @@ def test_tiles_of_another_survey_are_refused(tiny: Path, result: Path, tmp_path:
 def test_other_tiles_of_the_same_epochs_are_refused(tiny: Path, result: Path, tmp_path: Path):
     survey = read_survey(tiny / "survey.toml")
     first = survey.epochs[0]
-    changed = tmp_path / first.tiles[0].name
-    changed.write_bytes(first.tiles[0].read_bytes() + b" ")
+    foreign, again = tmp_path / "foreign.laz", tmp_path / first.tiles[0].name
+    for copy in (foreign, again):
+        copy.write_bytes(first.tiles[0].read_bytes() + b" ")
     for tiles, words in (
-        ((changed, *first.tiles[1:]), f"epoch {first.label}: was not computed from {changed}. Give the survey.toml this result"),
-        ((*first.tiles, changed), f"was not computed from {changed}"),
+        ((foreign, *first.tiles[1:]), f"epoch {first.label}: was not computed from {foreign}. Give the survey.toml this result"),
+        ((*first.tiles, again), f"was not computed from {again}"),
     ):
         other = replace(survey, epochs=(replace(first, tiles=tiles), *survey.epochs[1:]))
         for step in (
@@ -101,3 +102,16 @@ def test_other_tiles_of_the_same_epochs_are_refused(tiny: Path, result: Path, tm
         connection.execute(f"UPDATE epochs SET settings = {added}")  # noqa: S608 - constants
     with pytest.raises(InputError, match=r"was computed from b\.laz too"):
         index_unit_points(survey, more, Feedback())
+
+
+def test_a_tile_written_anew_is_taken_with_a_warning(tiny: Path, result: Path, tmp_path: Path):
+    survey, said = read_survey(tiny / "survey.toml"), list[str]()
+    first = survey.epochs[0]
+    again = tmp_path / first.tiles[0].name
+    cloud = laspy.read(first.tiles[0])
+    cloud.add_extra_dim(laspy.ExtraBytesParams(name="reflectance", type="u2"))
+    cloud.write(again)
+    other = replace(survey, epochs=(replace(first, tiles=(again, *first.tiles[1:])), *survey.epochs[1:]))
+    write_labelled_tiles(other, result, tmp_path / "labelled", Feedback(warning=said.append))
+    assert [line for line in said if "was written anew" in line] == said
+    assert len(said) == 1
