@@ -14,6 +14,7 @@ from typing import Any
 from ..common.errors import InputError
 from ..common.feedback import Feedback
 from ..common.software import code_fingerprint, software_version
+from ..data.folder_epochs import CLOUDS
 from ..data.las_files import checksum
 from ..data.survey import Epoch, Survey
 from .schema import FORMAT_VERSION
@@ -112,17 +113,18 @@ def _changed_tiles(epoch: Epoch, used: Mapping[str, str], path: Path) -> list[Pa
     """Tiles whose content is not that of the tile of their name in a result; ``used`` holds its inputs' names by checksum."""
     with ThreadPoolExecutor(4) as pool:
         sums = dict(zip(epoch.tiles, pool.map(checksum, epoch.tiles), strict=True))
-    endings, known = {tile.suffix.lower() for tile in epoch.tiles}, set(sums.values())
-    absent = [name for found, name in used.items() if found not in known and Path(name).suffix.lower() in endings]
+    known = set(sums.values())
+    # a tile is often packed or unpacked without its name changing otherwise
+    absent = {Path(name).stem: name for found, name in used.items() if found not in known and Path(name).suffix.lower() in CLOUDS}
     changed = []
     for tile in (tile for tile, found in sums.items() if found not in used):
-        if tile.name not in absent:
+        if absent.pop(tile.stem, None) is None:
             raise InputError(f"was not computed from {tile}", source=path, where=f"epoch {epoch.label}", remedy=GIVE)
-        absent.remove(tile.name)
         changed.append(tile)
     if absent:
+        name = next(iter(absent.values()))
         raise InputError(
-            f"was computed from {absent[0]} too, which the survey does not have", source=path, where=f"epoch {epoch.label}", remedy=GIVE
+            f"was computed from {name} too, which the survey does not have", source=path, where=f"epoch {epoch.label}", remedy=GIVE
         )
     return changed
 

@@ -104,10 +104,11 @@ def test_other_tiles_of_the_same_epochs_are_refused(tiny: Path, result: Path, tm
         index_unit_points(survey, more, Feedback())
 
 
-def test_a_tile_written_anew_is_taken_with_a_warning(tiny: Path, result: Path, tmp_path: Path):
+@pytest.mark.parametrize("ending", [".laz", ".las"])
+def test_a_tile_written_anew_is_taken_with_a_warning(tiny: Path, result: Path, tmp_path: Path, ending: str):
     survey, said = read_survey(tiny / "survey.toml"), list[str]()
     first = survey.epochs[0]
-    again = tmp_path / first.tiles[0].name
+    again = tmp_path / f"{first.tiles[0].stem}{ending}"
     cloud = laspy.read(first.tiles[0])
     cloud.add_extra_dim(laspy.ExtraBytesParams(name="reflectance", type="u2"))
     cloud.write(again)
