@@ -133,15 +133,15 @@ class EpochFrames:
         """``errors``, each for what it adds to those of the other epochs: once they are put together, coordinates that several epochs
         share count once."""
         found = list(self.errors)
-        for k, own in enumerate(self.targets):
-            others = [other for number, other in enumerate(self.targets) if other is not None and number != k]
-            if own is None or not any(len(numbers_of_shared(own, other)[0]) for other in others):
-                continue
+        known = [(k, own) for k, own in enumerate(self.targets) if own is not None]
+        for k, own in known:
             more = np.zeros(len(own.ids))
-            for other in others:
-                more[numbers_of_shared(own, other)[0]] += 1
-            variances = self.noise_factor**2 * own.variances + more[:, None] * own.surveyed_variances
-            found[k] = _seen_by(self.basis, self.basis.precision(), own, variances)
+            for number, other in known:
+                if number != k:
+                    more[numbers_of_shared(own, other)[0]] += 1
+            if more.any():
+                variances = self.noise_factor**2 * own.variances + more[:, None] * own.surveyed_variances
+                found[k] = _seen_by(self.basis, self.basis.precision(), own, variances)
         return tuple(found)
 
     def controlled(self, first: int, second: int) -> bool:
@@ -364,9 +364,7 @@ def _target_factors(model: FieldModel, targets: Sequence[TargetShifts]) -> tuple
         return 1.0, 1.0
     losses = {
         # without evidence things are as they are stated
-        (bend, noise): sum(_loss(model.times(bend), own, noise) for own in rest)
-        + 0.5 * (math.log(bend) / math.log(2)) ** 2
-        + 0.5 * (math.log(noise) / math.log(4)) ** 2
+        (bend, noise): sum(_loss(model.times(bend), own, noise) for own in rest) + _unlike_stated(bend, 2) + _unlike_stated(noise, 4)
         for bend in BEND_FACTORS
         for noise in NOISE_FACTORS
     }
@@ -375,8 +373,13 @@ def _target_factors(model: FieldModel, targets: Sequence[TargetShifts]) -> tuple
 
 def _likeliest_noise(model: FieldModel, own: TargetShifts) -> float:
     """Factor of the stated deviations under which the targets of one frame are likeliest."""
-    losses = {noise: _loss(model, own, noise) + 0.5 * (math.log(noise) / math.log(4)) ** 2 for noise in NOISE_FACTORS}
+    losses = {noise: _loss(model, own, noise) + _unlike_stated(noise, 4) for noise in NOISE_FACTORS}
     return min(losses, key=losses.__getitem__)
+
+
+def _unlike_stated(factor: float, usual: float) -> float:
+    """Negative log-density, beforehand, of what is stated being off by a ``factor``, as it is by a ``usual`` one and its inverse."""
+    return 0.5 * (math.log(factor) / math.log(usual)) ** 2
 
 
 def _loss(model: FieldModel, own: TargetShifts, noise: float) -> float:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from scipy.optimize import brentq
@@ -112,9 +113,10 @@ def motions_of_stretches(
     Rigid frames reach everywhere, so that a stretch which moved turns them under all others: the clearest one is told first, and the others
     are judged again without it, where enough of them say which one that is. Bent frames are known without what moved as one.
     """
-    found = _all_motions(units, congruence, elastic, height)
-    stretches, *_ = stretches_of(units.places, height)
+    stretches, _, length = stretches_of(units.places, height)
     numbers = [k for k, own in enumerate(stretches) if len(own) >= FEWEST_UNITS]
+    judged = partial(_all_motions, units, stretches, numbers, length, elastic=elastic, height=height)
+    found = judged(congruence)
     if elastic is not None or not FEWEST_OTHERS + OVERLAPPING <= len(numbers) <= FEW_STRETCHES:
         return found
     rests = congruence.stable
@@ -127,14 +129,21 @@ def motions_of_stretches(
         rests[stretches[min(clear)[1]]] = False
         if rests.sum() < FEWEST_UNITS:
             break
-        found = _all_motions(units, replace(congruence, stable=rests), None, height)
+        found = judged(replace(congruence, stable=rests))
     return found
 
 
-def _all_motions(units: JudgedUnits, congruence: Congruence, elastic: ElasticDatum | None, height: float) -> dict[str, list[StretchMotion]]:
-    """Of every stretch with enough units, by datum, in a datum ``stable`` of the given units."""
-    stretches, _, length = stretches_of(units.places, height)
-    numbers = [k for k, own in enumerate(stretches) if len(own) >= FEWEST_UNITS]
+def _all_motions(
+    units: JudgedUnits,
+    stretches: Sequence[IntArray],
+    numbers: Sequence[int],
+    length: float,
+    congruence: Congruence,
+    *,
+    elastic: ElasticDatum | None,
+    height: float,
+) -> dict[str, list[StretchMotion]]:
+    """Of the stretches of these ``numbers``, each of a ``length`` in metres, by datum; ``stable`` is that of ``congruence``."""
     means = {datum: [_mean_motion(units, stretches[k], congruence, elastic, datum, height) for k in numbers] for datum in DATUMS}
     others = [_motions_of_others(units, stretches, numbers, k, congruence, means["stable"], elastic, height) for k in numbers]
     between = [_between_stretches(own) for own in others]
@@ -303,14 +312,11 @@ def _robust_mean(values: FloatArray, covariances: FloatArray, height: float) -> 
     centre = np.median(values, axis=0)
     # what units differ by beyond their covariances counts for the weights; the mean's own covariance is told by the values themselves
     inverse = np.linalg.inv(covariances + (0.002 * height) ** 2 * np.eye(3))
-    own = np.linalg.inv(covariances)
-    spread = np.zeros((3, 3))
     for _ in range(8):
         residual = values - centre
         weights, _ = t_weights(np.einsum("ni,nij,nj->n", residual, inverse, residual))
         weighted = inverse * weights[:, None, None]
         cofactor = np.linalg.inv(weighted.sum(axis=0))
         centre = cofactor @ np.einsum("nij,nj->i", weighted, values)
-        _, size = t_weights(np.einsum("ni,nij,nj->n", residual, own, residual))
-        spread = size * cofactor @ np.einsum("nij,njk,nkl->il", weighted, covariances, weighted) @ cofactor
-    return centre, spread
+    _, size = t_weights(np.einsum("ni,nij,nj->n", residual, np.linalg.inv(covariances), residual))
+    return centre, size * cofactor @ np.einsum("nij,njk,nkl->il", weighted, covariances, weighted) @ cofactor

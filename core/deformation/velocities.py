@@ -55,8 +55,8 @@ def velocities_of_units(units: TrackedUnits, times: Sequence[datetime], pairs: S
         All pairs of epochs, with what the frames bring into the motion of each unit in datum ``stable``.
     """
     years = np.array([time.timestamp() for time in times]) / SECONDS_PER_YEAR
-    from_first = {(pair.first, pair.second): pair for pair in pairs}
-    frames = {key: {motion.unit: motion.frames["stable"] for motion in pair.units} for key, pair in from_first.items()}
+    by_epochs = {(pair.first, pair.second): pair for pair in pairs}
+    frames = {key: {motion.unit: motion.frames["stable"] for motion in pair.units} for key, pair in by_epochs.items()}
     found = {}
     for unit, states in enumerate(units.states):
         epochs = [e for e, s in sorted(states.items()) if s.pose is not None and s.status != "uncertain"]
@@ -64,7 +64,7 @@ def velocities_of_units(units: TrackedUnits, times: Sequence[datetime], pairs: S
             continue
         first, *later = epochs
         found[unit] = _velocities(
-            units, unit, years[epochs], epochs, [from_first[first, e] for e in later], [frames[first, e][unit] for e in later]
+            units, unit, years[epochs], epochs, [by_epochs[first, e] for e in later], [frames[first, e][unit] for e in later]
         )
     return found
 

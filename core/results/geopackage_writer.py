@@ -23,7 +23,7 @@ from ..common.errors import InputError, OutputError
 from ..common.output_files import not_own
 from ..data.crs import LOCAL, parse_crs, wkt_of
 from .epoch_ends import with_epoch_ends
-from .geopackage_reader import ResultCrs, add_indices, definition_of, encode_geometry, now_utc, parse_settings
+from .geopackage_reader import WKT2_COLUMN, ResultCrs, add_indices, definition_of, encode_geometry, now_utc, parse_settings
 from .result_access import connect, reading
 from .result_replacement import add_wkt2, put_in_place, quoted, rehearse, style_mark
 from .schema import LAYERS, Field, Layer
@@ -316,7 +316,8 @@ def _add_reference_system(connection: sqlite3.Connection, survey_crs: str, taken
         connection.execute("INSERT INTO gpkg_spatial_ref_sys VALUES (?, ?, ?, ?, ?, '')", stated)
     if not first_version:
         add_wkt2(connection)
-        connection.execute("UPDATE gpkg_spatial_ref_sys SET definition_12_063 = ? WHERE srs_id = ?", (definition, srs))
+        statement = f"UPDATE gpkg_spatial_ref_sys SET {WKT2_COLUMN} = ? WHERE srs_id = ?"  # noqa: S608  # nosec B608 - a constant
+        connection.execute(statement, (definition, srs))
     return srs
 
 

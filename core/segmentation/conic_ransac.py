@@ -19,7 +19,6 @@ from ..common.kernels import in_parts, kernel
 from ..common.least_axis import across
 from ..common.neighbourhood import gather
 from ..common.positive_definite import factorise, solve_factorised
-from .cone_relation import OrientedPoints
 from .scene import Scene
 
 SEED_SPACING_RATIO = 0.08
@@ -89,11 +88,10 @@ def find_legs(scene: Scene, active: BoolArray, seed: int) -> Legs:
     unit = scene.unit
     seeds = spread(scene.points, np.flatnonzero(active & (scene.curved >= 0)), SEED_SPACING_RATIO * unit.height)
     cone = _NominalCone(float(unit.radius), float(unit.gradient), float(unit.leg_length), NEIGHBOURHOOD_RATIO * unit.height)
-    elements = OrientedPoints(scene.points, scene.normals, scene.curved)
     found = np.zeros((len(seeds), 8))
     passes = partial(
         _search,
-        elements=elements,
+        elements=scene.elements,
         active=active,
         seeds=seeds,
         grid=scene.grid,

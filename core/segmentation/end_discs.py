@@ -15,7 +15,6 @@ from ..common.arrays import BoolArray
 from ..common.kernels import in_parts, kernel
 from ..common.least_axis import least_axis
 from ..common.neighbourhood import gather
-from .cone_relation import OrientedPoints
 from .conic_ransac import Legs, spread
 from .scene import Scene
 
@@ -40,11 +39,10 @@ def legs_of_discs(scene: Scene, active: BoolArray) -> Legs:
     """Legs, two to each disc among the active elements (m,): one on either side of it."""
     unit = scene.unit
     seeds = spread(scene.points, np.flatnonzero(active & (scene.curved < 0)), SEED_SPACING_RATIO * unit.height)
-    elements = OrientedPoints(scene.points, scene.normals, scene.curved)
     found = np.zeros((len(seeds), 7))
     passes = partial(
         _search,
-        elements=elements,
+        elements=scene.elements,
         active=active,
         seeds=seeds,
         grid=scene.grid,

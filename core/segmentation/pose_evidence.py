@@ -13,7 +13,7 @@ from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import column_within
 from ..model.tetrapod import EDGE_RATIO, TIP_RATIO, across_legs
 from ..model.unit_types import UnitType
-from .cone_relation import FEW_POSES, ConeShape, OrientedPoints, crease_distance, normal_at
+from .cone_relation import FEW_POSES, ConeShape, crease_distance, normal_at
 from .conic_ransac import LEAST_AGREEMENT
 from .scene import CELLS, CLOSE, COLUMNS, INSIDE, LEGS, MISFIT, REACHED, SUPPORT, Evidence, Scene
 from .surface_elements import BEND_RADIUS_RATIO, LEAST_RADIUS_RATIO
@@ -60,7 +60,7 @@ def evidence(poses: FloatArray, scene: Scene, active: BoolArray) -> Evidence:
     """What the active elements of a scene say about each (12,) pose."""
     # what is rounded shows in the normals where the noise is well below the least of it
     seen = min(max(1.5 - 4.5 * scene.noise / (EDGE_RATIO * scene.unit.height), 0.0), 1.0)
-    shape, elements = ConeShape.of(scene.unit), OrientedPoints(scene.points, scene.normals, scene.curved)
+    shape, elements = ConeShape.of(scene.unit), scene.elements
     # the nearest neighbours of an element this close to a crease lie on two legs
     blurred = max(seen * LEAST_RADIUS_RATIO * scene.unit.height, _blurred(scene))
     limits = _Limits(scene.tolerance, seen, blurred, _across(scene.unit))

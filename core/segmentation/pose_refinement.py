@@ -11,7 +11,7 @@ from ..common.arrays import BoolArray, FloatArray
 from ..common.kernels import in_parts, kernel
 from ..common.neighbourhood import gather
 from ..common.positive_definite import factorise, solve_factorised
-from .cone_relation import FEW_POSES, ConeShape, OrientedPoints
+from .cone_relation import FEW_POSES, ConeShape
 from .scene import Scene
 
 BROAD = 0.8
@@ -31,7 +31,7 @@ class _Effort(NamedTuple):
 def refine(poses: FloatArray, scene: Scene, active: BoolArray, *, most: int = 500, sweeps: int = 12) -> FloatArray:
     """Robust least squares of each (12,) pose to the active points around it, tolerance narrowing from 4 to 1.5 times."""
     out = poses.copy()
-    shape, elements, effort = ConeShape.of(scene.unit), OrientedPoints(scene.points, scene.normals, scene.curved), _Effort(most, sweeps)
+    shape, elements, effort = ConeShape.of(scene.unit), scene.elements, _Effort(most, sweeps)
     if len(out) > FEW_POSES:
         passes = partial(
             _refine_many,

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..common.arrays import FloatArray
 from ..common.neighbourhood import Grid, build_grid
 from ..model.unit_types import UnitType
+from .cone_relation import OrientedPoints
 from .surface_elements import SurfaceElements
 
 CELL_RATIO = 0.13
@@ -60,6 +61,11 @@ class Scene:
     smoothed: bool = False
     layered: bool = False
     shared_noise: bool = False
+
+    @property
+    def elements(self) -> OrientedPoints:
+        """Points, normals and whether these are bent, as compiled loops take them."""
+        return OrientedPoints(self.points, self.normals, self.curved)
 
     @classmethod
     def of(cls, elements: SurfaceElements, unit: UnitType, tolerance: float) -> Scene:
