@@ -15,6 +15,7 @@ from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..model.feature_points import feature_points
 from ..model.unit_types import UnitType
 from ..registration.frame_field import LocalMotions
+from .common_motion import common_prior
 from .congruence import Congruence, NullModel, calibrate, congruence_of
 from .control_scale import with_rigid_scale
 from .displacement import (
@@ -265,23 +266,3 @@ def joint_block(joint: JointAdjustment, unit: int, *sightings: int, of_noise: bo
 def unit_shape(unit: UnitType, scale: float) -> UnitType:
     """Geometry of a unit whose size differs from the nominal one."""
     return replace(unit, radius=unit.radius * scale, leg_length=unit.leg_length * scale)
-
-
-def common_prior(epochs: Sequence[TrackedEpoch], first: int, second: int, origin: FloatArray) -> FloatArray | None:
-    """(7, 7) covariance of the motion common to all units between two registered epochs, about ``origin``.
-
-    Epochs tied to the same one share the error of its registration, which drops out of their difference.
-    """
-    total = np.zeros((7, 7))
-    roots = []
-    for number in (first, second):
-        placement = epochs[number].placement
-        if placement is None:
-            return None
-        total += placement.covariance_at(origin)
-        tied_to = epochs[number].tied_to
-        roots.append(number if tied_to is None else tied_to)
-    shared = epochs[roots[0]].registration
-    if roots[0] == roots[1] and shared is not None:
-        total -= 2 * shared.covariance_at(origin)
-    return total

@@ -30,6 +30,8 @@ class TargetShifts:
         (k, 3) stated, square metres.
     surveyed_variances
         (k, 3) those of the surveyed coordinates alone, which epochs with one control file share; zero where it is not known.
+    used
+        (k,) took part in the rigid registration; None where all did.
     offset_variance
         Variance per axis of the mean offset of the epoch's strips or stations, which units have and targets do not, square metres.
     drift_variances
@@ -41,6 +43,7 @@ class TargetShifts:
     residuals: FloatArray
     variances: FloatArray
     surveyed_variances: FloatArray
+    used: BoolArray | None = None
     offset_variance: float = 0.0
     drift_variances: FloatArray = field(default_factory=lambda: np.zeros(3))
 
@@ -53,6 +56,7 @@ class TargetShifts:
             residuals=self.residuals[used],
             variances=self.variances[used],
             surveyed_variances=self.surveyed_variances[used],
+            used=None if self.used is None else self.used[used],
         )
 
 

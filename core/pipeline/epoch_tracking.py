@@ -224,6 +224,7 @@ def _targets(registration: Registration | None, origin: FloatArray) -> TargetShi
         residuals=np.array([r.residual for r in rows]),
         variances=np.array([r.sds for r in rows]) ** 2,
         surveyed_variances=np.array([r.surveyed_sds for r in rows]) ** 2,
+        used=np.array([r.used for r in rows]),
     )
 
 

@@ -18,7 +18,7 @@ from tetratrack.core.common.errors import CrsError, InputError
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.tiles import inspect_tile
-from tetratrack.core.deformation.epoch_pairs import common_prior
+from tetratrack.core.deformation.common_motion import common_prior
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch
 from tetratrack.core.pipeline.epoch_plans import plan_survey
 from tetratrack.core.pipeline.epoch_registration import register_epochs
