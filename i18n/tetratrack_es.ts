@@ -3175,6 +3175,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>A run replaced the result: its numbers are shown now.</source>
+      <translation>Un cálculo ha sustituido el resultado: ahora se muestran sus valores.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>In polygons</source>
       <translation>En polígonos</translation>
     </message>

@@ -3175,6 +3175,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>A run replaced the result: its numbers are shown now.</source>
+      <translation>計算により結果が置き換えられました。新しい値を表示しています。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>In polygons</source>
       <translation>ポリゴン内</translation>
     </message>

@@ -3175,6 +3175,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>A run replaced the result: its numbers are shown now.</source>
+      <translation>새 계산이 결과를 대체했습니다. 이제 그 값을 표시합니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>In polygons</source>
       <translation>폴리곤 안</translation>
     </message>

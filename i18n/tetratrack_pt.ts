@@ -3175,6 +3175,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>A run replaced the result: its numbers are shown now.</source>
+      <translation>Um cálculo substituiu o resultado: os seus valores são agora mostrados.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>In polygons</source>
       <translation>Em polígonos</translation>
     </message>

@@ -3175,6 +3175,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>A run replaced the result: its numbers are shown now.</source>
+      <translation>新的计算已替换结果，现在显示其数值。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>In polygons</source>
       <translation>在多边形内</translation>
     </message>

@@ -278,15 +278,22 @@ class ReviewDock(QgsDockWidget):
         store, shown = self.store, self.map
         if store is not None and shown is not None and self.isVisible() and not self.status.busy:
             selected = store.selected
+
+            def look() -> None:
+                found.append(store.refresh())
+                if "run" in found:
+                    self.comparison.show_store(store)
+
             # a file locked for a moment is read at the next turn
-            self.status.attempt(lambda: found.append(store.refresh()), quiet=True)
-            if "corrections" in found:
+            self.status.attempt(look, quiet=True)
+            if "corrections" in found or "run" in found:
                 shown.reload()
                 store.select(selected)
         if any(found):
             others = {
                 "decisions": tr("Decisions of another reviewer were taken in."),
                 "corrections": tr("Corrections of another reviewer were taken in."),
+                "run": tr("A run replaced the result: its numbers are shown now."),
             }
             self.status.say(others[found[0]])
 

@@ -5,8 +5,8 @@ Table, map and plots observe this store and change it through its methods only, 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -19,11 +19,24 @@ from ..core.common.errors import InputError, OutputError, TetratrackError
 from ..core.results.geopackage_reader import EpochPair, epoch_pairs
 from ..core.results.result_access import is_writable
 from ..core.results.unit_rows import EpochInfo, UnitDetails, UnitRow, datums, read_details, read_epochs, read_unit_rows, unit_sizes
-from ..core.review.corrections import edits_stamp
-from ..core.review.decisions import Decision, Review, ReviewEvent, confirm, decide, prepare, read_history, read_reviews, undo
-from ..core.review.point_index import PointIndex, index_of
+from ..core.review.basis import Basis, read_bases
+from ..core.review.corrections import contents_stamp
+from ..core.review.decisions import (
+    Decision,
+    NumbersChangedError,
+    Review,
+    ReviewEvent,
+    confirm,
+    decide,
+    prepare,
+    read_history,
+    read_reviews,
+    undo,
+)
+from ..core.review.point_index import PointIndex, computed_at, index_of
 
 Topic = Literal["rows", "order", "selection", "reviews"]
+TakenIn = Literal["", "decisions", "corrections", "run"]
 
 COLUMNS = ("unit_id", "kind", "d_3d", "decision", "d_horizontal", "vertical", "rotation_deg", "p_value", "coverage", "reviewer")
 """Columns of the table, by the name of what they show; what a narrow dock must show comes first."""
@@ -94,10 +107,8 @@ class ReviewStore:
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
-        self.epochs: tuple[EpochInfo, ...] = read_epochs(self.path)
-        self.pairs = epoch_pairs(self.path)
-        if not self.pairs:
-            raise InputError("holds no displacements", source=self.path, remedy="Review needs a survey of two epochs or more.")
+        self.epochs: tuple[EpochInfo, ...]
+        self._computed, self.epochs, self.pairs = self._read_epochs()
         self.writable = is_writable(self.path)
         if self.writable:
             try:
@@ -118,7 +129,8 @@ class ReviewStore:
         self._statistics: Statistics | None = None
         self._seen: tuple[tuple[int, int], ...] = ()
         self._observers: list[Callable[[Topic], None]] = []
-        self._edits = (0, 0)
+        self._contents: tuple[Any, ...] = ()
+        self._bases: dict[str, Basis] = {}
         self._undoable: list[list[int]] = []
         self._details: dict[str, UnitDetails] = {}
         self._load()
@@ -140,10 +152,7 @@ class ReviewStore:
         """Compare another pair of epochs."""
         if pair == self.pair:
             return
-        available = datums(self.path, pair)
-        if not available:
-            raise InputError(f"has no displacements for {pair}", source=self.path, remedy="Choose another epoch pair.")
-        self._compare(pair, self.datum if self.datum in available else available[0])
+        self._compare(pair, self._datum_of(pair))
 
     def set_datum(self, datum: str) -> None:
         """Show displacements in another datum."""
@@ -272,16 +281,22 @@ class ReviewStore:
 
         Raises
         ------
+        NumbersChangedError
+            The file holds other numbers now than are shown; what it holds is read.
         InputError, OutputError
             Nothing is selected, the reviewer has no name, or the file cannot be written.
         """
         units = self._chosen(unit_ids)
-        self._undoable.append(decide(self.path, units, self.pair, decision, comment=comment, reviewer=reviewer))
+        with self._on_numbers_shown():
+            self._undoable.append(decide(self.path, units, self.pair, decision, comment=comment, reviewer=reviewer, shown=self._bases))
         self._reviewed()
 
     def confirm(self, *, reviewer: str, comment: str = "") -> None:
         """Confirm, as a second reviewer, the decision on each selected unit."""
-        numbers = [confirm(self.path, unit, self.pair, reviewer=reviewer, comment=comment) for unit in self._chosen(None)]
+        with self._on_numbers_shown():
+            numbers = [
+                confirm(self.path, unit, self.pair, reviewer=reviewer, comment=comment, shown=self._bases) for unit in self._chosen(None)
+            ]
         self._undoable.append(numbers)
         self._reviewed()
 
@@ -300,23 +315,15 @@ class ReviewStore:
         self._reviewed()
         return tuple(event.unit_id for event in mine if event.number in batch)
 
-    def refresh(self) -> Literal["", "decisions", "corrections"]:
-        """Take in what other reviewers wrote meanwhile; what it was, empty for nothing."""
+    def refresh(self) -> TakenIn:
+        """Take in what other reviewers or a run wrote meanwhile; what it was, empty for nothing."""
         stamp = self._stamp()
         if stamp == self._seen:
             return ""
+        found = self._take_in()
+        # what could not be read, because another program held the file, is read at the next look
         self._seen = stamp
-        edits = edits_stamp(self.path)
-        if edits != self._edits:
-            self.reload()
-            return "corrections"
-        reviews = read_reviews(self.path)
-        if reviews == self.reviews:
-            return ""
-        self.reviews = reviews
-        self._arrange(tell=False)
-        self._tell("reviews")
-        return "decisions"
+        return found
 
     def reload(self) -> None:
         """Read the rows again, after an edit changed poses or displacements."""
@@ -330,6 +337,55 @@ class ReviewStore:
         return self._statistics
 
     # inside
+
+    def _read_epochs(self) -> tuple[float, tuple[EpochInfo, ...], tuple[EpochPair, ...]]:
+        """When the result was computed, its epochs, and the pairs of them that it compares."""
+        computed, epochs, pairs = computed_at(self.path), read_epochs(self.path), epoch_pairs(self.path)
+        if not pairs:
+            raise InputError("holds no displacements", source=self.path, remedy="Review needs a survey of two epochs or more.")
+        return computed, epochs, pairs
+
+    def _datum_of(self, pair: EpochPair) -> str:
+        """The present datum where a pair has it, else its first."""
+        available = datums(self.path, pair)
+        if not available:
+            raise InputError(f"has no displacements for {pair}", source=self.path, remedy="Choose another epoch pair.")
+        return self.datum if self.datum in available else available[0]
+
+    def _take_in(self) -> TakenIn:
+        if computed_at(self.path) != self._computed:
+            self._take_in_run()
+            return "run"
+        if contents_stamp(self.path) != self._contents:
+            self.reload()
+            return "corrections"
+        reviews = read_reviews(self.path)
+        if reviews == self.reviews:
+            return ""
+        self.reviews = reviews
+        self._arrange(tell=False)
+        self._tell("reviews")
+        return "decisions"
+
+    def _take_in_run(self) -> None:
+        """Show what a run put into the file, of the same epochs where it has them."""
+        computed, self.epochs, self.pairs = self._read_epochs()
+        pair = self.pair if self.pair in self.pairs else latest_pair(self.pairs, [info.label for info in self.epochs])
+        self._details.clear()
+        self.open_index()
+        self._compare(pair, self._datum_of(pair))
+        self._computed = computed
+
+    @contextmanager
+    def _on_numbers_shown(self) -> Iterator[None]:
+        """Show what the file holds where a decision is refused because that is no longer what was shown."""
+        try:
+            yield
+        except NumbersChangedError:
+            # where even the epochs are others, the next look takes them in
+            with suppress(TetratrackError):
+                self.reload()
+            raise
 
     def _stamp(self) -> tuple[tuple[int, int], ...]:
         """When and how large the file and its write-ahead log were last written: a look that costs nothing."""
@@ -359,8 +415,10 @@ class ReviewStore:
 
     def _load(self) -> None:
         # all is read before anything changes: the window may draw itself meanwhile
-        edits, rows, reviews = edits_stamp(self.path), read_unit_rows(self.path, self.pair, self.datum), read_reviews(self.path)
-        self._edits, self.rows, self.reviews = edits, rows, reviews
+        # what a decision rests on is read before what is shown: where a run comes in between, a decision is refused
+        contents, shown = contents_stamp(self.path), read_bases(self.path, self.pair)
+        rows, reviews = read_unit_rows(self.path, self.pair, self.datum), read_reviews(self.path)
+        self._contents, self._bases, self.rows, self.reviews = contents, shown, rows, reviews
         self._position = {row.unit_id: k for k, row in enumerate(self.rows)}
         self.selected = tuple(unit for unit in self.selected if unit in self._position)
         self._arrange(tell=False)

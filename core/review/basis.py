@@ -7,8 +7,10 @@ import math
 import sqlite3
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 from ..results.geopackage_reader import EpochPair
+from ..results.result_access import reading
 
 Numbers = tuple[float, float, float, float | None, str]
 """Easting, northing, height (metres), rotation (degrees, None where unknown) and class of the displacement of a unit's centre."""
@@ -74,6 +76,12 @@ def _same_row(a: Numbers, b: Numbers) -> bool:
 def basis_of(connection: sqlite3.Connection, unit_id: str, pair: EpochPair) -> Basis:
     """Present numbers of one unit in one epoch pair."""
     return bases(connection, {pair}, unit_id).get((unit_id, pair), Basis({}))
+
+
+def read_bases(path: Path, pair: EpochPair) -> dict[str, Basis]:
+    """Present numbers of all units of a result in one epoch pair, by unit."""
+    with reading(path) as connection:
+        return {unit: basis for (unit, _), basis in bases(connection, {pair}).items()}
 
 
 def bases(connection: sqlite3.Connection, pairs: Collection[EpochPair], unit_id: str = "") -> dict[tuple[str, EpochPair], Basis]:

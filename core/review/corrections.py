@@ -21,7 +21,7 @@ from ..common.errors import InputError
 from ..model.outline import rotation_of_quaternion
 from ..results.geopackage_reader import Row, add_spatial_functions, encode_point, now_utc, query, srs_of, table_names
 from ..results.result_access import reading
-from ..results.schema import FEATURES
+from ..results.schema import FEATURES, LAYERS
 from .bodies import redraw_bodies
 from .decisions import settle, writing
 from .pose_consequences import NewPose, carry_displacements, connect_epochs, drop_velocities, write_features, write_pose
@@ -85,8 +85,8 @@ def last_edit_of(path: Path, editor: str) -> UnitEdit | None:
     return next(mine, None)
 
 
-def edits_stamp(path: Path) -> tuple[int, int]:
-    """Last rows of corrections and picks: a cheap look whether anybody corrected anything."""
+def contents_stamp(path: Path) -> tuple[int, int, tuple[tuple[str, str], ...]]:
+    """Last rows of corrections and picks, and when each layer was written: a cheap look whether anything but decisions changed."""
     tables = table_names(path)
     statements = {
         "unit_edits": "SELECT coalesce(max(fid), 0) FROM unit_edits",
@@ -94,7 +94,9 @@ def edits_stamp(path: Path) -> tuple[int, int]:
     }
     with reading(path) as connection:
         edits, picks = (int(connection.execute(sql).fetchone()[0]) if name in tables else 0 for name, sql in statements.items())
-    return edits, picks
+        written = connection.execute("SELECT table_name, last_change FROM gpkg_contents ORDER BY table_name").fetchall()
+    computed = LAYERS.keys() - {"reviews"}
+    return edits, picks, tuple((str(name), str(moment)) for name, moment in written if name in computed)
 
 
 def read_picks(path: Path, unit_id: str) -> list[Row]:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import sqlite3
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -41,6 +41,10 @@ PROGRAM = "tetratrack"
 REGISTER = (
     "INSERT OR IGNORE INTO gpkg_contents (table_name, data_type, identifier, description, last_change) VALUES (?, 'attributes', ?, ?, ?)"
 )
+
+
+class NumbersChangedError(InputError):
+    """The numbers that a reviewer decided on are no longer those of the result."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -168,11 +172,27 @@ def settle(connection: sqlite3.Connection, by: str) -> int:
     return changed
 
 
-def decide(path: Path, unit_ids: Sequence[str], pair: EpochPair, decision: Decision, *, comment: str, reviewer: str) -> list[int]:
+def decide(
+    path: Path,
+    unit_ids: Sequence[str],
+    pair: EpochPair,
+    decision: Decision,
+    *,
+    comment: str,
+    reviewer: str,
+    shown: Mapping[str, Basis] | None = None,
+) -> list[int]:
     """Store a decision on each unit at once; returns the numbers of the events.
+
+    Parameters
+    ----------
+    shown
+        By unit the numbers that the reviewer saw; None where the caller has just read them.
 
     Raises
     ------
+    NumbersChangedError
+        The result now holds other numbers than were shown.
     InputError
         The reviewer has no name, the decision is none of ``DECISIONS``, or a unit has left the result.
     OutputError
@@ -187,15 +207,20 @@ def decide(path: Path, unit_ids: Sequence[str], pair: EpochPair, decision: Decis
         for unit in unit_ids:
             if connection.execute("SELECT 1 FROM units WHERE unit_id = ? LIMIT 1", (unit,)).fetchone() is None:
                 raise InputError("is not in the result any more", where=f"unit {unit}", remedy="Somebody deleted or merged it meanwhile.")
-            numbers.append(_append(connection, unit, pair, "decide", decision, comment, who, None))
+            basis = _as_shown(connection, unit, pair, shown)
+            numbers.append(_append(connection, unit, pair, "decide", decision, comment, who, None, basis=basis))
         return numbers
 
 
-def confirm(path: Path, unit_id: str, pair: EpochPair, *, reviewer: str, comment: str = "") -> int:
-    """Confirm another reviewer's decision.
+def confirm(
+    path: Path, unit_id: str, pair: EpochPair, *, reviewer: str, comment: str = "", shown: Mapping[str, Basis] | None = None
+) -> int:
+    """Confirm another reviewer's decision; ``shown`` as in :func:`decide`.
 
     Raises
     ------
+    NumbersChangedError
+        The result now holds other numbers than were shown.
     InputError
         There is no decision to confirm, or it is the reviewer's own.
     OutputError
@@ -204,14 +229,15 @@ def confirm(path: Path, unit_id: str, pair: EpochPair, *, reviewer: str, comment
     who = _name(reviewer)
     with writing(path) as connection:
         _prepare(connection)
-        state = _state(_events(connection, unit_id, pair), basis_of(connection, unit_id, pair))
+        basis = _as_shown(connection, unit_id, pair, shown)
+        state = _state(_events(connection, unit_id, pair), basis)
         if state is None:
             raise InputError(
                 "there is no decision to confirm yet", where=f"unit {unit_id}", remedy="Decide first; another reviewer then confirms."
             )
         if state.reviewer.casefold() == who.casefold():
             raise InputError(f"{who} made this decision", where=f"unit {unit_id}", remedy="A second reviewer has to confirm it.")
-        return _append(connection, unit_id, pair, "confirm", state.decision, comment, who, None)
+        return _append(connection, unit_id, pair, "confirm", state.decision, comment, who, None, basis=basis)
 
 
 def undo(path: Path, numbers: Sequence[int], *, reviewer: str) -> None:
@@ -291,6 +317,18 @@ def _prepare(connection: sqlite3.Connection) -> None:
         connection.execute("ALTER TABLE review_log ADD COLUMN basis TEXT")
     register_attributes(connection, "reviews", "Decision of the reviewers on each unit and epoch pair")
     register_attributes(connection, "review_log", "Every act of every reviewer, oldest first")
+
+
+def _as_shown(connection: sqlite3.Connection, unit_id: str, pair: EpochPair, shown: Mapping[str, Basis] | None) -> Basis:
+    """Present numbers of a unit, which must be those that were shown."""
+    basis = basis_of(connection, unit_id, pair)
+    if shown is not None and not shown.get(unit_id, Basis({})).agrees(basis):
+        raise NumbersChangedError(
+            "now has other numbers than were shown, so nothing was stored",
+            where=f"unit {unit_id}",
+            remedy="A run or a correction changed them meanwhile: look at them, then decide.",
+        )
+    return basis
 
 
 def _append(

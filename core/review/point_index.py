@@ -100,14 +100,14 @@ def index_of(result: Path) -> PointIndex:
         There is none, it cannot be used, or the result was computed anew since; or the result cannot be read.
     """
     index = PointIndex(index_folder(result))
-    if index.state == frames_state(result) if index.state else index.made >= _computed_at(result):
+    if index.state == frames_state(result) if index.state else index.made >= computed_at(result):
         return index
     raise InputError(
         "was built for an earlier state of the result", source=index.folder, remedy="Build it again with tetratrack unit-points."
     )
 
 
-def _computed_at(result: Path) -> float:
+def computed_at(result: Path) -> float:
     """When the epochs of a result were written, seconds; 0 where it does not say: corrections and decisions leave them as they are."""
     with reading(result) as connection:
         row = connection.execute("SELECT last_change FROM gpkg_contents WHERE table_name = 'epochs'").fetchone()

@@ -7,6 +7,7 @@ deviation, some slide, a few are lost, hidden, new or carried away.
 from __future__ import annotations
 
 import json
+import shutil
 import sqlite3
 from contextlib import closing
 from dataclasses import dataclass
@@ -18,9 +19,11 @@ from typing import Any
 import numpy as np
 from tetratrack.core.model.outline import PlacedShape, reach, rotation_of_quaternion
 from tetratrack.core.results.geopackage_reader import add_indices, encode_geometry
+from tetratrack.core.results.result_replacement import put_in_place
 from tetratrack.core.results.schema import FEATURES, LAYERS
 from tetratrack.core.results.unit_bodies import body_rows
 from tetratrack.core.results.unit_sizes import sizes_of_settings
+from tetratrack.core.review.decisions import settle_decisions
 from tetratrack.core.review.point_index import index_folder, write_index
 
 HEIGHT, RADIUS, GRADIENT, LEG_LENGTH = 2.3, 0.60814, 0.17610, 1.48120
@@ -272,6 +275,21 @@ def _check(rows: dict[str, list[dict[str, Any]]], units: list[SyntheticUnit], la
             d = rng.normal(0, 0.005, 3)
             row = {"point_id": f"K{k + 1}", "epoch": label, "unit_id": unit.unit_id, "feature": "f123", "de": d[0], "dn": d[1], "dh": d[2]}
             rows["check_residuals"].append(row | {"d_3d": float(np.linalg.norm(d)), "geom": features_of(unit, e)[1]})
+
+
+def run_again(result: Path, change: str, *values: object, other: Path | None = None) -> None:
+    """Replace a result as a run does: by itself, or another result, after a change in SQL."""
+    finished = result.with_name("night.gpkg")
+    shutil.copy(other or result, finished)
+    with closing(sqlite3.connect(finished)) as connection, connection:
+        connection.execute(change, values)
+        connection.execute("UPDATE gpkg_contents SET last_change = '2030-01-01T00:00:00.000Z'")
+        connection.execute(
+            "CREATE TABLE layer_styles (id INTEGER PRIMARY KEY, f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
+            "styleName, styleQML, styleSLD, useAsDefault, description, owner)"
+        )
+    put_in_place(finished, result, tuple(name for name in LAYERS if name != "reviews"))
+    settle_decisions(result)
 
 
 def _write(path: Path, rows: dict[str, list[dict[str, Any]]]) -> None:

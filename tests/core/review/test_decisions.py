@@ -12,12 +12,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from synthetic_result import GRADIENT, HEIGHT, LEG_LENGTH, LEGS, RADIUS, write_points, write_result
+from synthetic_result import GRADIENT, HEIGHT, LEG_LENGTH, LEGS, RADIUS, run_again, write_points, write_result
 from tetratrack.core.common.errors import InputError, OutputError
 from tetratrack.core.model.outline import PlacedShape, end_discs, reach, rotation_of_quaternion, section, silhouette
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.results import result_access
 from tetratrack.core.results.geopackage_reader import EpochPair, decode_geometry, encode_line, encode_point, epoch_pairs, read_layer_rows
 from tetratrack.core.results.unit_rows import EpochInfo, check_comparisons, read_details, read_epochs, read_unit_rows, series, unit_sizes
 from tetratrack.core.results.unit_sizes import shape_of, size_of, unit_of
@@ -349,3 +350,83 @@ def test_refresh_takes_in_what_another_process_wrote_and_is_quiet_otherwise(resu
     assert store.reviews["U00004", PAIR].reviewer == "B"
     assert not store.refresh()
     assert told == ["reviews"]
+
+
+MOVE_EAST = "UPDATE displacements SET de = de + ? WHERE unit_id = ?"
+
+
+def _add_east(result: Path, unit: str, by: float) -> None:
+    """Change displacements of a unit as another program would."""
+    with closing(sqlite3.connect(result)) as connection, connection:
+        connection.execute(MOVE_EAST, (by, unit))
+
+
+def test_what_a_run_replaced_is_taken_in(result: Path) -> None:
+    store = ReviewStore(result)
+    store.refresh()
+    unit = store.shown(0).unit_id
+    before = store.row(unit)
+    store.select([unit])
+    told: list[str] = []
+    store.observe(told.append)
+    run_again(result, MOVE_EAST, 0.5, unit)
+    assert store.refresh() == "run"
+    assert store.row(unit).vector[0] == pytest.approx(before.vector[0] + 0.5)
+    assert (store.selected, told) == ((unit,), ["rows"])
+    store.decide("accepted", reviewer="A")
+    assert not store.refresh()
+
+
+def test_epochs_that_a_run_added_or_left_out_can_be_compared_or_not(result: Path) -> None:
+    write_result(result.with_name("more.gpkg"), 40, 4)
+    store = ReviewStore(result.with_name("more.gpkg"))
+    gone = store.pair
+    run_again(store.path, "DELETE FROM velocities", other=result)
+    assert store.refresh() == "run"
+    assert gone not in store.pairs
+    assert store.pair in store.pairs
+    assert [info.label for info in store.epochs] == ["2023-04-09", "2024-04-09", "2025-04-09"]
+
+
+def test_nobody_decides_on_numbers_that_are_not_shown(result: Path) -> None:
+    store = ReviewStore(result)
+    store.set_pair(PAIR)
+    unit, other = (store.shown(k).unit_id for k in range(2))
+    decide(result, [other], PAIR, "accepted", comment="", reviewer="B")
+    old = store.row(unit).vector[0]
+    _add_east(result, unit, 0.5)
+    store.select([other, unit])
+    with pytest.raises(InputError, match=f"unit {unit}: now has other numbers"):
+        store.decide("accepted", reviewer="A")
+    assert [event.reviewer for event in read_history(result)] == ["B"], "all or nothing"
+    assert store.row(unit).vector[0] == pytest.approx(old + 0.5), "what the file holds is shown"
+    store.decide("accepted", reviewer="A")
+    assert read_history(result, unit)[-1].basis.displacements["stable"][0] == pytest.approx(old + 0.5)
+
+
+def test_nobody_confirms_numbers_that_are_not_shown(result: Path) -> None:
+    store = ReviewStore(result)
+    store.set_pair(PAIR)
+    unit = store.shown(0).unit_id
+    _add_east(result, unit, 0.5)
+    decide(result, [unit], PAIR, "accepted", comment="", reviewer="B")
+    store.select([unit])
+    with pytest.raises(InputError, match="now has other numbers"):
+        store.confirm(reviewer="A")
+    store.confirm(reviewer="A")
+    assert read_reviews(result)[unit, PAIR].confirmed_by == "A"
+
+
+def test_what_could_not_be_read_is_read_at_the_next_look(result: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    store = ReviewStore(result)
+    store.refresh()
+    unit = store.rows[0].unit_id
+    decide(result, [unit], store.pair, "rejected", comment="", reviewer="B")
+    monkeypatch.setattr(result_access, "BUSY_SECONDS", 0.05)
+    with closing(sqlite3.connect(result, isolation_level=None)) as held:
+        held.execute("BEGIN EXCLUSIVE")
+        with pytest.raises(OutputError, match="being written by another program"):
+            store.refresh()
+        held.execute("ROLLBACK")
+    assert store.refresh() == "decisions"
+    assert store.review(unit).reviewer == "B"

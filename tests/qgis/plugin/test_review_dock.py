@@ -33,7 +33,7 @@ from qgis.PyQt.QtCore import QItemSelectionModel, QPoint, QPointF, Qt
 from qgis.PyQt.QtGui import QAction, QKeyEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QMainWindow, QMessageBox, QToolButton
-from synthetic_result import SRS, SyntheticUnit, features_of, write_points, write_result
+from synthetic_result import SRS, SyntheticUnit, features_of, run_again, write_points, write_result
 from tetratrack.core.results.geopackage_reader import EpochPair
 from tetratrack.core.review.corrections import delete_unit, placeholders, read_edits, read_picks, set_pose
 from tetratrack.core.review.decisions import decide, read_history, read_reviews
@@ -226,6 +226,20 @@ def test_decisions_of_others_are_taken_in(dock: ReviewDock) -> None:
     dock.take_in()
     assert dock.store.review(target).reviewer == "Ben"
     assert "another reviewer" in dock.status.text()
+
+
+def test_what_a_run_replaced_is_shown(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
+    target = shown(dock)[3]
+    dock.store.select([target])
+    run_again(result[0], "UPDATE displacements SET de = de + 5, d_3d = d_3d + 5 WHERE unit_id = ?", target)
+    dock.take_in()
+    assert "A run replaced the result" in dock.status.text()
+    assert shown(dock)[0] == target, "it has moved farthest now"
+    arrows = {f["unit_id"]: f["d_3d"] for f in dock.map.displacements.getFeatures()}
+    assert 5 < arrows[target] == pytest.approx(dock.store.row(target).d_3d)
+    assert (dock.store.selected, dock.store.pair) == ((target,), PAIR)
+    assert dock.comparison.pair.currentData() == PAIR
+    assert [f["unit_id"] for f in dock.map.units.selectedFeatures()] == [target]
 
 
 def test_no_name_no_decision(dock: ReviewDock) -> None:
