@@ -2135,6 +2135,21 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
+      <source>significant</source>
+      <translation>significativo</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>watch</source>
+      <translation>vigilar</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>alert or more</source>
+      <translation>alerta o más</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
       <source>relocated unit</source>
       <translation>pieza arrastrada</translation>
     </message>
@@ -2262,21 +2277,6 @@
       <location filename="../algorithms/support/layers.py" />
       <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
       <translation>flecha de 10 mm: {length}; elipse: 95 %</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>significant, up to {length}</source>
-      <translation>significativo, hasta {length}</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>{least} to {most}: watch</source>
-      <translation>{least} a {most}: vigilar</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>more than {length}: alert</source>
-      <translation>más de {length}: alerta</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2977,11 +2977,6 @@
       <location filename="../plugin/review_details.py" />
       <source>Horizontal</source>
       <translation>Horizontal</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>significant</source>
-      <translation>significativo</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -4320,13 +4315,18 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
+      <source>Both epochs show too few units to tell a common motion of stretches.</source>
+      <translation>Ambas épocas muestran muy pocas piezas para discernir un movimiento común de tramos.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
       <source>Mean displacement of the units of each stretch against the targets; the band holds what is not known of the frames.</source>
       <translation>Desplazamiento medio de las piezas de cada tramo respecto a las dianas; la banda contiene lo que no se conoce de los marcos.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
-      <source>There is no survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
-      <translation>No hay puntos de control: los tramos se comparan entre sí, y un movimiento de todos no se puede discernir.</translation>
+      <source>Not both epochs have survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
+      <translation>No ambas épocas tienen puntos de control: los tramos se comparan entre sí, y un movimiento de todos no se puede discernir.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
@@ -4355,8 +4355,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
-      <source>The result was made by a version that said nothing of its frames.</source>
-      <translation>El resultado procede de una versión que no decía nada de sus marcos.</translation>
+      <source>The result says nothing of its frames.</source>
+      <translation>El resultado no dice nada de sus referencias.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_map.html" />
@@ -4545,8 +4545,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_quality.html" />
-      <source>The result was made by a version that did not state the quality of its units.</source>
-      <translation>El resultado es de una versión que no indicaba la calidad de sus piezas.</translation>
+      <source>The result does not state the quality of its units.</source>
+      <translation>El resultado no indica la calidad de sus piezas.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_summary.html" />
@@ -4582,6 +4582,11 @@
       <location filename="../core/report/templates/section_summary.html" />
       <source>Not seen in the later epoch</source>
       <translation>No vistas en la época posterior</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_summary.html" />
+      <source>Uncertain, not counted</source>
+      <translation>Inciertas, no contadas</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_summary.html" />

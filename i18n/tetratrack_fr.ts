@@ -2135,6 +2135,21 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
+      <source>significant</source>
+      <translation>significatif</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>watch</source>
+      <translation>surveiller</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>alert or more</source>
+      <translation>alerte ou plus</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
       <source>relocated unit</source>
       <translation>bloc emporté</translation>
     </message>
@@ -2262,21 +2277,6 @@
       <location filename="../algorithms/support/layers.py" />
       <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
       <translation>flèche de 10 mm : {length} ; ellipse : 95 %</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>significant, up to {length}</source>
-      <translation>significatif, jusqu’à {length}</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>{least} to {most}: watch</source>
-      <translation>{least} à {most} : surveiller</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>more than {length}: alert</source>
-      <translation>plus de {length} : alerte</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2977,11 +2977,6 @@
       <location filename="../plugin/review_details.py" />
       <source>Horizontal</source>
       <translation>Horizontal</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>significant</source>
-      <translation>significatif</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -4320,13 +4315,18 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
+      <source>Both epochs show too few units to tell a common motion of stretches.</source>
+      <translation>Les deux époques montrent trop peu de blocs pour déceler un mouvement commun de tronçons.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
       <source>Mean displacement of the units of each stretch against the targets; the band holds what is not known of the frames.</source>
       <translation>Déplacement moyen des blocs de chaque tronçon par rapport aux cibles ; la bande contient ce qui reste inconnu des repères.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
-      <source>There is no survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
-      <translation>Il n'y a pas de points d'appui : les tronçons sont comparés entre eux, et un mouvement de tous ne peut pas être décelé.</translation>
+      <source>Not both epochs have survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
+      <translation>Les deux époques n'ont pas toutes deux des points d'appui : les tronçons sont comparés entre eux, et un mouvement de tous ne peut pas être décelé.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
@@ -4355,8 +4355,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
-      <source>The result was made by a version that said nothing of its frames.</source>
-      <translation>Le résultat vient d'une version qui ne disait rien de ses repères.</translation>
+      <source>The result says nothing of its frames.</source>
+      <translation>Le résultat ne dit rien de ses repères.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_map.html" />
@@ -4545,8 +4545,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_quality.html" />
-      <source>The result was made by a version that did not state the quality of its units.</source>
-      <translation>Le résultat vient d'une version qui n'indiquait pas la qualité de ses blocs.</translation>
+      <source>The result does not state the quality of its units.</source>
+      <translation>Le résultat n'indique pas la qualité de ses blocs.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_summary.html" />
@@ -4582,6 +4582,11 @@
       <location filename="../core/report/templates/section_summary.html" />
       <source>Not seen in the later epoch</source>
       <translation>Non vus à l'époque postérieure</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_summary.html" />
+      <source>Uncertain, not counted</source>
+      <translation>Incertains, non comptés</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_summary.html" />

@@ -2135,6 +2135,21 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
+      <source>significant</source>
+      <translation>有意</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>watch</source>
+      <translation>注意</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>alert or more</source>
+      <translation>警報以上</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
       <source>relocated unit</source>
       <translation>移設されたブロック</translation>
     </message>
@@ -2262,21 +2277,6 @@
       <location filename="../algorithms/support/layers.py" />
       <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
       <translation>10 mm の矢印：{length}、楕円：95 %</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>significant, up to {length}</source>
-      <translation>有意、{length} まで</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>{least} to {most}: watch</source>
-      <translation>{least}～{most}：注意</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>more than {length}: alert</source>
-      <translation>{length} 超：警報</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2977,11 +2977,6 @@
       <location filename="../plugin/review_details.py" />
       <source>Horizontal</source>
       <translation>水平</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>significant</source>
-      <translation>有意</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -4320,13 +4315,18 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
+      <source>Both epochs show too few units to tell a common motion of stretches.</source>
+      <translation>両時期に写るブロックが少なく、区間の共通の動きは判別できません。</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
       <source>Mean displacement of the units of each stretch against the targets; the band holds what is not known of the frames.</source>
       <translation>ターゲットに対する各区間のブロックの平均変位。帯には座標系の未知分が含まれます。</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
-      <source>There is no survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
-      <translation>基準点がないため区間同士を比べています。全体の動きは判別できません。</translation>
+      <source>Not both epochs have survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
+      <translation>両時期に基準点がそろっていないため区間同士を比べています。全体の動きは判別できません。</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
@@ -4355,8 +4355,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
-      <source>The result was made by a version that said nothing of its frames.</source>
-      <translation>この結果は座標系について何も記さない版で作られました。</translation>
+      <source>The result says nothing of its frames.</source>
+      <translation>この結果には座標系についての記録がありません。</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_map.html" />
@@ -4545,8 +4545,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_quality.html" />
-      <source>The result was made by a version that did not state the quality of its units.</source>
-      <translation>この結果は、ブロックの品質を記録しない版で作成されました。</translation>
+      <source>The result does not state the quality of its units.</source>
+      <translation>この結果にはブロックの品質の記録がありません。</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_summary.html" />
@@ -4582,6 +4582,11 @@
       <location filename="../core/report/templates/section_summary.html" />
       <source>Not seen in the later epoch</source>
       <translation>後の時期に見えない</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_summary.html" />
+      <source>Uncertain, not counted</source>
+      <translation>不確実（集計外）</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_summary.html" />

@@ -2135,6 +2135,21 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
+      <source>significant</source>
+      <translation>유의</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>watch</source>
+      <translation>주의</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>alert or more</source>
+      <translation>경보 이상</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
       <source>relocated unit</source>
       <translation>이탈한 블록</translation>
     </message>
@@ -2262,21 +2277,6 @@
       <location filename="../algorithms/support/layers.py" />
       <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
       <translation>10 mm 화살표: {length}; 타원: 95 %</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>significant, up to {length}</source>
-      <translation>유의, {length} 이하</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>{least} to {most}: watch</source>
-      <translation>{least}~{most}: 주의</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>more than {length}: alert</source>
-      <translation>{length} 초과: 경보</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2977,11 +2977,6 @@
       <location filename="../plugin/review_details.py" />
       <source>Horizontal</source>
       <translation>수평</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>significant</source>
-      <translation>유의</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -4320,13 +4315,18 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
+      <source>Both epochs show too few units to tell a common motion of stretches.</source>
+      <translation>두 시기에 보이는 블록이 너무 적어 구간의 공통 이동을 알 수 없습니다.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
       <source>Mean displacement of the units of each stretch against the targets; the band holds what is not known of the frames.</source>
       <translation>타깃에 대한 각 구간 블록의 평균 변위. 구간 폭에는 좌표계의 미지분이 포함됩니다.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
-      <source>There is no survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
-      <translation>기준점이 없어 구간끼리 비교하며, 전체의 이동은 알 수 없습니다.</translation>
+      <source>Not both epochs have survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
+      <translation>두 시기 모두에 기준점이 있지 않아 구간끼리 비교하며, 전체의 이동은 알 수 없습니다.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
@@ -4355,8 +4355,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
-      <source>The result was made by a version that said nothing of its frames.</source>
-      <translation>이 결과는 좌표계에 대해 기록하지 않는 버전으로 만들어졌습니다.</translation>
+      <source>The result says nothing of its frames.</source>
+      <translation>이 결과에는 좌표계에 대한 기록이 없습니다.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_map.html" />
@@ -4545,8 +4545,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_quality.html" />
-      <source>The result was made by a version that did not state the quality of its units.</source>
-      <translation>이 결과는 블록의 품질을 기록하지 않는 버전으로 만들어졌습니다.</translation>
+      <source>The result does not state the quality of its units.</source>
+      <translation>이 결과에는 블록의 품질 기록이 없습니다.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_summary.html" />
@@ -4582,6 +4582,11 @@
       <location filename="../core/report/templates/section_summary.html" />
       <source>Not seen in the later epoch</source>
       <translation>뒤 시기에 안 보임</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_summary.html" />
+      <source>Uncertain, not counted</source>
+      <translation>불확실(집계 제외)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_summary.html" />

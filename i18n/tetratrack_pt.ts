@@ -2135,6 +2135,21 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
+      <source>significant</source>
+      <translation>significativo</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>watch</source>
+      <translation>vigiar</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>alert or more</source>
+      <translation>alerta ou mais</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
       <source>relocated unit</source>
       <translation>bloco arrastado</translation>
     </message>
@@ -2262,21 +2277,6 @@
       <location filename="../algorithms/support/layers.py" />
       <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
       <translation>seta de 10 mm: {length}; elipse: 95 %</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>significant, up to {length}</source>
-      <translation>significativo, até {length}</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>{least} to {most}: watch</source>
-      <translation>{least} a {most}: vigiar</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/layers.py" />
-      <source>more than {length}: alert</source>
-      <translation>mais de {length}: alerta</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2977,11 +2977,6 @@
       <location filename="../plugin/review_details.py" />
       <source>Horizontal</source>
       <translation>Horizontal</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>significant</source>
-      <translation>significativo</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -4320,13 +4315,18 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
+      <source>Both epochs show too few units to tell a common motion of stretches.</source>
+      <translation>Ambas as épocas mostram poucos blocos para discernir um movimento comum de troços.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_frames.html" />
       <source>Mean displacement of the units of each stretch against the targets; the band holds what is not known of the frames.</source>
       <translation>Deslocamento médio das peças de cada troço em relação aos alvos; a faixa contém o que não se conhece dos referenciais.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
-      <source>There is no survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
-      <translation>Não há pontos de apoio: os troços são comparados entre si, e um movimento de todos não se pode discernir.</translation>
+      <source>Not both epochs have survey control: stretches are compared with each other, and a motion of all of them cannot be told.</source>
+      <translation>Nem ambas as épocas têm pontos de apoio: os troços são comparados entre si, e um movimento de todos não se pode discernir.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
@@ -4355,8 +4355,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_frames.html" />
-      <source>The result was made by a version that said nothing of its frames.</source>
-      <translation>O resultado foi feito por uma versão que nada dizia dos referenciais.</translation>
+      <source>The result says nothing of its frames.</source>
+      <translation>O resultado nada diz dos seus referenciais.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_map.html" />
@@ -4545,8 +4545,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_quality.html" />
-      <source>The result was made by a version that did not state the quality of its units.</source>
-      <translation>O resultado foi feito por uma versão que não indicava a qualidade dos seus blocos.</translation>
+      <source>The result does not state the quality of its units.</source>
+      <translation>O resultado não indica a qualidade dos seus blocos.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_summary.html" />
@@ -4582,6 +4582,11 @@
       <location filename="../core/report/templates/section_summary.html" />
       <source>Not seen in the later epoch</source>
       <translation>Não vistos na época posterior</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_summary.html" />
+      <source>Uncertain, not counted</source>
+      <translation>Incertos, não contados</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_summary.html" />

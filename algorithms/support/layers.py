@@ -181,8 +181,7 @@ def translate_legend(layer: QgsVectorLayer) -> None:
 
 def legend_label(label: str) -> str:
     """Translation of a label of the shipped styles, lengths in the project's unit."""
-    lengths = length_format()
-    watch, alert = lengths.text(0.05), lengths.text(0.1)
+    shown = length_format().text(0.05)
     known = {
         "error as targets see it": tr("error as targets see it"),
         "difference of two epochs as units see it": tr("difference of two epochs as units see it"),
@@ -200,11 +199,11 @@ def legend_label(label: str) -> str:
         "unseen: known from another epoch": tr("unseen: known from another epoch"),
         "unexplained points where a unit fits": tr("unexplained points where a unit fits"),
         "hole where a unit fits": tr("hole where a unit fits"),
-        "arrow of 10 mm: 50 mm; ellipse: 95 %": tr("arrow of 10 mm: {length}; ellipse: 95 %").format(length=watch),
+        "arrow of 10 mm: 50 mm; ellipse: 95 %": tr("arrow of 10 mm: {length}; ellipse: 95 %").format(length=shown),
         "below the detection limit": tr("below the detection limit"),
-        "significant, up to 50 mm": tr("significant, up to {length}").format(length=watch),
-        "50 to 100 mm: watch": tr("{least} to {most}: watch").format(least=watch, most=alert),
-        "more than 100 mm: alert": tr("more than {length}: alert").format(length=alert),
+        "significant": tr("significant"),
+        "watch": tr("watch"),
+        "alert or more": tr("alert or more"),
         "relocated unit": tr("relocated unit"),
         "uncertain unit": tr("uncertain unit"),
         "observed": tr("observed"),

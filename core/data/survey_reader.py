@@ -101,6 +101,7 @@ class _Reader:
             for section, keys in SECTIONS.items()
             if section not in REQUIRED and section not in optional
         }
+        self._check_grades(optional["displacement"])
         units = tuple(self._unit(index, values) for index, values in enumerate(checked["unit"]))
         return Survey(
             path=self.source,
@@ -263,6 +264,18 @@ class _Reader:
                 if value in seen:
                     raise self._error("epoch", index, what, f"{what} {value} belongs to two epochs", "Give every epoch its own.")
                 seen.add(value)
+
+    def _check_grades(self, limits: Mapping[str, Any]) -> None:
+        """Refuse limits of grades that are counted alike and not in their order."""
+        for lower, higher in (("watch", "alert"), ("partly_damaged", "damaged")):
+            if limits[lower] > limits[higher]:
+                raise self._error(
+                    "displacement",
+                    0,
+                    lower if ("displacement", 0, lower) in self.lines else higher,
+                    f"{lower} ({limits[lower]:g}) is above {higher} ({limits[higher]:g})",
+                    f"Give both, {lower} first.",
+                )
 
     def _where(self, section: str, index: int, name: str) -> str:
         line = self.lines.get((section, index, name)) or self.lines.get((section, index, ""))

@@ -14,8 +14,7 @@ from ..common.csv_text import SPREADSHEET_ENCODING, signs, spreadsheet_safe
 from ..common.errors import InputError
 from ..common.output_files import check_own
 from ..results.field_checks import foreign_contents
-from ..results.geopackage_reader import EpochPair, srs_of
-from ..results.result_access import reading
+from ..results.geopackage_reader import EpochPair, crs_of
 from ..results.unit_rows import UnitRow, over, read_unit_rows
 from ..review.decisions import read_reviews, rejected_units
 from .result_choice import choose_pair
@@ -57,7 +56,7 @@ def write_alarms(
     result
         result.gpkg.
     output
-        ``.csv`` or ``.geojson`` (coordinates in the survey's CRS, named in the file's ``crs`` member).
+        ``.csv`` or, where the survey's CRS has an EPSG code, ``.geojson`` (coordinates in that CRS, named in the file's ``crs`` member).
     threshold
         3D displacement of the centre in metres.
     pair, datum
@@ -68,7 +67,7 @@ def write_alarms(
     Raises
     ------
     InputError
-        The result has no such pair, the threshold is none, or the output's ending is another.
+        The result has no such pair, the threshold is none, the output's ending is another, or a GeoJSON could not say its CRS.
     OutputError
         The file cannot be written.
     """
@@ -94,8 +93,14 @@ def _write_alarms(result: Path, output: Path, threshold: float, pair: EpochPair 
         content = _csv(records, separator).encode(SPREADSHEET_ENCODING)
     elif kind in (".geojson", ".json"):
         check_own(output, (_GEOJSON_START,))
-        with reading(result) as connection:
-            content = _geojson(rows, records, srs_of(connection)).encode("utf-8")
+        code = crs_of(result).epsg
+        if code is None:
+            raise InputError(
+                "the result's CRS has no EPSG code, without which GeoJSON means longitude and latitude",
+                source=output,
+                remedy="End the name in .csv.",
+            )
+        content = _geojson(rows, records, code).encode("utf-8")
     else:
         raise InputError(
             f"cannot be written as {kind or 'a file without ending'}", source=output, remedy="End the name in .csv or .geojson."
@@ -130,7 +135,7 @@ def _cell(value: Any, decimal: str) -> Any:
     return str(value).replace(".", decimal) if isinstance(value, float) else spreadsheet_safe(value)
 
 
-def _geojson(rows: Sequence[UnitRow], records: Sequence[dict[str, Any]], srs: int) -> str:
+def _geojson(rows: Sequence[UnitRow], records: Sequence[dict[str, Any]], epsg: int) -> str:
     features = [
         {
             "type": "Feature",
@@ -141,6 +146,5 @@ def _geojson(rows: Sequence[UnitRow], records: Sequence[dict[str, Any]], srs: in
     ]
     content: dict[str, Any] = {"type": "FeatureCollection", "features": features}
     # RFC 7946 knows longitude and latitude only; the older crs member, which GDAL and QGIS read, keeps survey coordinates exact
-    if srs > 0:
-        content["crs"] = {"type": "name", "properties": {"name": f"urn:ogc:def:crs:EPSG::{srs}"}}
+    content["crs"] = {"type": "name", "properties": {"name": f"urn:ogc:def:crs:EPSG::{epsg}"}}
     return json.dumps(content, ensure_ascii=False, indent=1)

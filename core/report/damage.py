@@ -93,6 +93,10 @@ class Damage:
     n_broken: int
     sections: tuple[SectionDamage, ...]
 
+    def displaced(self, limit: float) -> DamageClass:
+        """Units displaced by at least ``limit`` metres, one of the limits of its classes."""
+        return next(c for c in self.classes if math.isclose(c.limit, limit))
+
 
 def nominal_diameter_of(rows: Sequence[UnitRow]) -> float:
     """Dn in metres: the median of what the run states of units, or of standard proportions; of a height of 1 m where none is known."""
@@ -134,7 +138,7 @@ def damage(
     InputError
         No unit can be judged, or the axis, width or section has no length.
     """
-    judged = [row for row in rows if row.unit_id not in excluded and row.place is not None and (row.d_3d is not None or row.kind == "lost")]
+    judged = [row for row in rows if row.unit_id not in excluded and row.place is not None and row.is_judged]
     heights = [row.height for row in judged if row.height is not None]
     if not judged or not heights:
         raise InputError("no unit has a displacement to judge", remedy="Choose an epoch pair with displacements, or take back rejections.")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..results.geopackage_reader import EpochPair, Row, read_layer_rows
+from ..results.geopackage_reader import EpochPair, Row, read_layer_rows, table_names
 
 TOLD_HEIGHTS = 0.01
 """Common motion over H that an owner wants to know of: where less than this cannot be told, the page says so."""
@@ -37,7 +37,8 @@ class FramesPage:
     bends
         Rows of ``frame_errors`` of the pair.
     stretches
-        Rows of ``stretches`` of the pair in datum ``control``; in datum ``stable`` where there is no control.
+        Rows of ``stretches`` of the pair in datum ``control``; in datum ``stable`` where not both epochs have control. None where both
+        show few units.
     datum
         Of the stretches.
     untold
@@ -64,14 +65,14 @@ class FramesPage:
 
 def frames_page(result: Path, pair: EpochPair, control: Sequence[Row], height: float) -> FramesPage | None:
     """Read what a result says of its frames; None for results of versions that say nothing."""
+    if "stretches" not in table_names(result):
+        return None
     stretches = [
         row for row in read_layer_rows(result, "stretches") if (row["epoch_from"], row["epoch_to"]) == (pair.epoch_from, pair.epoch_to)
     ]
-    if not stretches:
-        return None
     labels = (pair.epoch_from, pair.epoch_to)
     bends = [row for row in read_layer_rows(result, "frame_errors") if row["epoch"] in labels]
-    datum = "control" if control else "stable"
+    datum = "control" if {row["epoch"] for row in control} >= set(labels) else "stable"
     own = sorted((row for row in stretches if row["datum"] == datum), key=lambda row: float(row["along_from"]))
     return FramesPage(
         epochs=tuple(e for label in labels if (e := _bent(label, bends, control)) is not None),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
@@ -12,7 +11,6 @@ from xml.etree import ElementTree  # nosec B405 - reads the catalogues this pack
 
 import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, UndefinedError, select_autoescape
-from numpy.typing import ArrayLike
 
 from ..common.arrays import FloatArray
 from ..common.atomic_files import write_whole
@@ -49,6 +47,7 @@ from .explorer import explorer_data, page_script
 from .fonts import drawable_words, is_drawable
 from .frames_page import FramesPage, frames_page
 from .mould_figures import mould_charts
+from .number_formats import NUMBER_FORMATS
 from .result_choice import choose_pair
 from .structure_pages import StructureOptions, StructurePages, structure_pages
 
@@ -188,6 +187,16 @@ class ReportData:
         return [row for row in self.rows if row.unit_id not in self.rejected]
 
     @property
+    def significant(self) -> int:
+        """Units judged whose displacement is significant."""
+        return sum(row.significant and row.is_judged for row in self.kept)
+
+    @property
+    def undecided(self) -> int:
+        """Units that no reviewer has decided on."""
+        return sum(row.unit_id not in self.reviews for row in self.rows)
+
+    @property
     def completeness(self) -> float | None:
         """Units found in the later epoch over those and the placeholders; None where nobody looked for missing ones."""
         found = sum(row.d_3d is not None or row.kind == "new" for row in self.kept)
@@ -232,7 +241,7 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
     early, late = _shapes_of(result, pair, sizes)
     shapes = late | early
     control = tuple(row for row in read_layer_rows(result, "control_residuals") if row["epoch"] in (pair.epoch_from, pair.epoch_to))
-    judged = [row for row in rows if row.unit_id not in rejected and (row.d_3d is not None or row.kind == "lost")]
+    judged = [row for row in rows if row.unit_id not in rejected and row.is_judged]
     harm = damage(rows, excluded=rejected, axis=options.axis, width=options.width, section=options.section) if judged else None
     drawn = {"overview": figures.overview_map(rows, shapes, control, rejected, translate)}
     drawn["blocks"] = block_view([row for row in rows if row.unit_id not in rejected], late or early, translate)
@@ -240,7 +249,7 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
         drawn["displacements"] = figures.displacement_map(rows, shapes, rejected, translate)
         drawn["histogram"] = figures.histogram(rows, rejected, [(c.name, c.limit) for c in harm.classes], translate)
         if len(harm.sections) > 1:
-            tenth = next(k for k, c in enumerate(harm.classes) if math.isclose(c.limit, 0.10))
+            tenth = harm.classes.index(harm.displaced(0.10))
             shares = [s.counts[tenth] / s.units for s in harm.sections]
             first = harm.sections[0]
             drawn["sections"] = figures.section_chart([s.start for s in harm.sections], shares, first.stop - first.start, translate)
@@ -324,7 +333,7 @@ def render(data: ReportData, options: ReportOptions, translate: Translate, *, in
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters.update(cm=_cm, signed_cm=_signed_cm, percent=_percent, mm=_mm, degrees=_degrees, p=_p, day=_day, places=_places)
+    environment.filters.update(NUMBER_FORMATS)
     language = language_of(options.language) or "en"
     shown = {"d": data, "sections": options.sections, "_": translate, "language": language, "design_packing": SPM_PACKING}
     shown |= page_script(data.explorer if interactive else None)
@@ -460,35 +469,3 @@ def _views(details: UnitDetails, row: UnitRow, pair: EpochPair, datum: str, poin
     clouds = (points.around(labels[0], middle, half), points.around(labels[1], middle - shift, half) + shift)
     reference = translate("stable units and control") if datum == "stable" else translate("control points alone")
     return figures.unit_views(shapes, clouds, labels, reference, translate)
-
-
-def _cm(value: float | None) -> str:
-    return "–" if value is None else f"{100 * value:.1f}"
-
-
-def _mm(value: float | None) -> str:
-    return "–" if value is None else f"{1000 * value:.1f}"
-
-
-def _signed_cm(value: float | None) -> str:
-    return "–" if value is None else f"{100 * value:+.2f}"
-
-
-def _percent(value: float | None) -> str:
-    return "–" if value is None else f"{100 * value:.1f} %"
-
-
-def _degrees(value: float | None) -> str:
-    return "–" if value is None else f"{value:.2f}°"
-
-
-def _p(value: float | None) -> str:
-    return "–" if value is None else ("< 0.001" if value < 0.001 else f"{value:.3f}")
-
-
-def _day(value: datetime | None) -> str:
-    return "–" if value is None else value.strftime("%Y-%m-%d %H:%M UTC")
-
-
-def _places(values: ArrayLike | None) -> str:
-    return "–" if values is None else ", ".join(f"{value:.2f}" for value in np.asarray(values, dtype=np.float64))

@@ -97,7 +97,7 @@ def structure_pages(
     # figures over Dn mean nothing where types of several sizes lie side by side
     if len(heights) == 1:
         before, after = (placement_of_units(list(found.values()), min(heights), symmetries) for found in (early, late))
-    judged = [row for row in rows if row.d_3d is not None or row.kind == "lost"]
+    judged = [row for row in rows if row.is_judged]
     diameter = nominal_diameter_of(judged)
     design = None if options.design is None else compare_design(result, options.design, pair.epoch_to)
     profile = options.design.profile if options.design else ""

@@ -90,6 +90,11 @@ class UnitRow:
     leg_probability: float | None = None
 
     @property
+    def is_judged(self) -> bool:
+        """Whether the unit's motion is known: both ends are, or it is lost; what is uncertain is not counted."""
+        return (self.d_3d is not None or self.kind == "lost") and self.kind != "uncertain"
+
+    @property
     def broken_legs(self) -> tuple[int, ...]:
         """Numbers 1 to 4 of the legs that are broken."""
         return tuple(k + 1 for k, state in enumerate(self.legs) if state == "broken")
@@ -334,8 +339,10 @@ def check_comparisons(details: UnitDetails, pair: EpochPair) -> list[CheckCompar
 
 
 def over(rows: Sequence[UnitRow], threshold: float, excluded: frozenset[str] = frozenset()) -> list[UnitRow]:
-    """Units displaced by more than a threshold in metres, lost, relocated or with a broken leg, largest first; rejected ones left out."""
-    chosen = [row for row in rows if row.unit_id not in excluded and (_exceeds(row, threshold) or _is_damaged(row))]
+    """Units displaced by more than a threshold in metres, lost, relocated or with a broken leg, largest first; uncertain and rejected ones
+    left out."""
+    known = [row for row in rows if row.unit_id not in excluded and row.kind != "uncertain"]
+    chosen = [row for row in known if _exceeds(row, threshold) or _is_damaged(row)]
     return sorted(chosen, key=lambda row: (-math.inf if row.d_3d is None else -row.d_3d, row.unit_id))
 
 

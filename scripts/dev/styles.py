@@ -575,16 +575,18 @@ def style_feature_points(layer: QgsVectorLayer) -> None:
 
 
 def style_displacements(layer: QgsVectorLayer) -> None:
-    """Arrows of the centres by significance and size, with 95 % ellipses."""
+    """Arrows of the centres by significance and grade, with 95 % ellipses."""
     centre = "\"feature\" = 'centre'"
     counted = f"{centre} and \"class\" not in ('relocated', 'uncertain')"
     significant = f'{counted} and "significant"'
+    # corrected by hand: no grade by the survey's limits
+    grade = "coalesce(\"grade\", if(\"d_3d\" > 0.1, 'alert', if(\"d_3d\" > 0.05, 'watch', 'significant')))"
     entries = [("arrow of 10 mm: 50 mm; ellipse: 95 %", "false", arrow(GREY, 0.6))]
     for label, condition, colour, width in (
         ("below the detection limit", f'{counted} and not coalesce("significant", false)', GREY, 0.4),
-        ("significant, up to 50 mm", f'{significant} and "d_3d" <= 0.05', BLUE, 0.6),
-        ("50 to 100 mm: watch", f'{significant} and "d_3d" > 0.05 and "d_3d" <= 0.1', ORANGE, 0.7),
-        ("more than 100 mm: alert", f'{significant} and "d_3d" > 0.1', RED, 0.8),
+        ("significant", f"{significant} and {grade} = 'significant'", BLUE, 0.6),
+        ("watch", f"{significant} and {grade} = 'watch'", ORANGE, 0.7),
+        ("alert or more", f"{significant} and {grade} not in ('significant', 'watch')", RED, 0.8),
         ("relocated unit", f"{centre} and \"class\" = 'relocated'", PURPLE, 0.8),
         ("uncertain unit", f"{centre} and \"class\" = 'uncertain'", "#d8c98a", 0.4),
     ):

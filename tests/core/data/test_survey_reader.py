@@ -31,6 +31,17 @@ tiles = ["tiles/one.laz", "tiles/*.laz"]
 """
 
 
+@pytest.mark.parametrize(("given", "line"), [("watch = 0.2", "watch"), ("damaged = 0.3", "damaged"), ("watch = 0.3\nalert = 0.2", "watch")])
+def test_limits_of_grades_out_of_order_are_refused(folder: Path, given: str, line: str) -> None:
+    path = folder / "survey.toml"
+    path.write_text(f"{GOOD}\n[displacement]\n{given}\n")
+    number = 1 + path.read_text().splitlines().index(next(row for row in given.splitlines() if row.startswith(line)))
+    with pytest.raises(InputError, match=rf"line {number}.*is above"):
+        read_survey(path)
+    path.write_text(f"{GOOD}\n[displacement]\nwatch = 0.2\nalert = 0.5\n")
+    read_survey(path)
+
+
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     (tmp_path / "tiles").mkdir()

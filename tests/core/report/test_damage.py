@@ -10,7 +10,7 @@ from curved_structures import line_of, units_along
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.report.damage import centreline_of, damage
-from tetratrack.core.results.unit_rows import UnitRow
+from tetratrack.core.results.unit_rows import UnitRow, over
 
 H = 2.0
 DN = UnitType.tetrapod(H).nominal_diameter
@@ -62,6 +62,14 @@ def test_n_od_is_displaced_units_per_nominal_diameter_of_width() -> None:
     assert damage(row_of_units(), width=50.0).n_od == pytest.approx(4 * DN / 50)
     # by itself the width is the extent of the units and half a unit at each end
     assert damage(row_of_units()).width == pytest.approx(30.0 + H)
+
+
+def test_uncertain_units_do_not_count() -> None:
+    """However far they seem to have moved, whatever legs they seem to lack."""
+    loose = replace(unit("X", 4.0, 0.0, 2.5, "uncertain"), legs=("broken", "whole", "whole", "unseen"))
+    assert damage([*row_of_units(), loose]) == damage(row_of_units())
+    listed = [row.unit_id for row in over([*row_of_units(), loose], 0.1)]
+    assert listed == [row.unit_id for row in over(row_of_units(), 0.1)]
 
 
 def test_rejected_units_do_not_count() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import re
+import shutil
 import sqlite3
 from contextlib import closing
 from pathlib import Path
@@ -17,7 +18,7 @@ from tetratrack.core.common.errors import InputError, OutputError
 from tetratrack.core.report import report as report_module
 from tetratrack.core.report.alarms import write_alarms
 from tetratrack.core.report.report import SECTIONS, ReportOptions, translator, write_report
-from tetratrack.core.results.geopackage_reader import EpochPair
+from tetratrack.core.results.geopackage_reader import EpochPair, add_spatial_functions, epoch_pairs
 from tetratrack.core.results.unit_rows import read_unit_rows
 from tetratrack.core.review.corrections import add_placeholder, store_picks
 from tetratrack.core.review.decisions import confirm, decide
@@ -108,6 +109,56 @@ def test_quality_of_the_units_is_shown_by_epoch(reviewed: Path, tmp_path: Path) 
     assert re.search(rf'{PAIR.epoch_to}</td><td class="n">118</td><td class="n">2</td><td class="n">4.3</td><td class="n">0.4 %', page)
 
 
+def test_summary_names_its_thresholds_for_laboratory_models(tmp_path: Path) -> None:
+    """Half of their nominal diameter is less than 5 cm."""
+    path = tmp_path / "small.gpkg"
+    write_result(path, 20, 2)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE units SET height = 0.105")
+        connection.execute("UPDATE displacements SET d_over_dn = NULL")
+    data = write_report(path, tmp_path / "small.html", ReportOptions(sections=("summary",)))
+    assert data.damage is not None
+    assert [c.name for c in data.damage.classes[:2]] != ["5 cm", "10 cm"]
+    counts = {c.name: c.count for c in data.damage.classes}
+    text = text_of((tmp_path / "small.html").read_text(encoding="utf-8"))
+    assert f"Displaced by 5 cm or more {counts['5 cm']} (" in text
+    assert f"Displaced by 10 cm or more {counts['10 cm']} (" in text
+
+
+def test_units_left_to_decide_are_said_though_others_are_rejected(tmp_path: Path) -> None:
+    path = tmp_path / "four.gpkg"
+    write_result(path, 4, 2)
+    (pair,) = epoch_pairs(path)
+    units = [row.unit_id for row in read_unit_rows(path, pair, "stable")]
+    decide(path, units[:1], pair, "rejected", comment="", reviewer="A")
+    decide(path, units[1:-1], pair, "accepted", comment="", reviewer="A")
+    write_report(path, tmp_path / "four.html", ReportOptions(sections=("summary",)))
+    assert "no reviewer has decided on yet: 1." in text_of((tmp_path / "four.html").read_text(encoding="utf-8"))
+
+
+def test_frames_of_few_units_and_of_control_in_one_epoch_are_said_as_they_are(reviewed: Path, tmp_path: Path) -> None:
+    few, one = tmp_path / "few.gpkg", tmp_path / "one.gpkg"
+    for path in (few, one):
+        shutil.copy(reviewed, path)
+    with closing(sqlite3.connect(one)) as connection, connection:
+        add_spatial_functions(connection)
+        connection.execute("DELETE FROM control_residuals WHERE epoch = ?", (PAIR.epoch_to,))
+        for datum in ("stable", "control"):
+            connection.execute(
+                "INSERT INTO stretches (epoch_from, epoch_to, datum, along_from, along_to, units, de, dn, dh, sd_e, sd_n, sd_h, p_value,"
+                " significant, detectable) VALUES (?, ?, ?, 0, 20, 12, 0.001, 0, 0, 0.002, 0.002, 0.002, 0.8, 0, 0.005)",
+                (PAIR.epoch_from, PAIR.epoch_to, datum),
+            )
+    said = {}
+    for path in (few, one):
+        write_report(path, path.with_suffix(".html"), ReportOptions(sections=("frames",)))
+        said[path] = text_of(path.with_suffix(".html").read_text(encoding="utf-8"))
+    assert "too few units to tell a common motion" in said[few]
+    assert "says nothing of its frames" not in said[few]
+    assert "Not both epochs have survey control" in said[one]
+    assert "against the targets" not in said[one]
+
+
 def test_sections_and_pair_are_chosen(reviewed: Path, tmp_path: Path) -> None:
     options = ReportOptions(pair=EpochPair("2023-04-09", "2024-04-09"), datum="control", sections=("summary", "control"))
     write_report(reviewed, tmp_path / "short.html", options)
@@ -179,6 +230,18 @@ def test_alarms_agree_in_both_forms(reviewed: Path, tmp_path: Path) -> None:
     assert known == sorted(known, reverse=True)
     with pytest.raises(InputError, match=r"\.txt"):
         write_alarms(reviewed, tmp_path / "a.txt", 0.1)
+
+
+def test_geojson_without_a_code_for_its_crs_is_refused(tmp_path: Path) -> None:
+    """Readers would take easting and northing for longitude and latitude."""
+    path = tmp_path / "lab.gpkg"
+    write_result(path, 4, 2)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE gpkg_spatial_ref_sys SET organization = 'NONE', organization_coordsys_id = 100000")
+    with pytest.raises(InputError, match=r"no EPSG code.*\.csv"):
+        write_alarms(path, tmp_path / "a.geojson", 0.1)
+    assert not (tmp_path / "a.geojson").exists()
+    assert write_alarms(path, tmp_path / "a.csv", 0.0) > 0
 
 
 def test_formula_in_a_comment_stays_text(reviewed: Path, tmp_path: Path) -> None:
