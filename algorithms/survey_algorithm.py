@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Sequence
-from datetime import UTC, datetime, timedelta
+from datetime import MAXYEAR, UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -149,7 +149,7 @@ def creation_date(path: Path) -> datetime:
         header = stream.read(94)
     if len(header) == 94 and header[:4] == b"LASF":
         day, year = struct.unpack("<HH", header[90:94])
-        if 1 <= day <= 366 and year > 1980:
+        if 1 <= day <= 366 and 1980 < year < MAXYEAR:
             return datetime(year, 1, 1, tzinfo=UTC) + timedelta(days=day - 1)
     return datetime.fromtimestamp(path.stat().st_mtime, tz=UTC)
 

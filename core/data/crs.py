@@ -64,7 +64,7 @@ def parse_crs(text: str) -> CRS:
 
 
 def check_survey_crs(text: str, *, source: str | Path | None = None, where: str = "") -> None:
-    """Refuse a survey CRS that is unknown, not projected or not in metres.
+    """Refuse a survey CRS that is unknown, not projected, not in metres, or not counted to the east and north.
 
     Raises
     ------
@@ -83,8 +83,17 @@ def check_survey_crs(text: str, *, source: str | Path | None = None, where: str 
             f"crs {_short(text)} {problem}",
             source=source,
             where=where,
-            remedy="Choose a projected CRS in metres, for example the UTM zone.",
+            remedy="Choose a projected CRS in metres to the east and north, for example the UTM zone or EPSG:5514 in place of EPSG:5513.",
         )
+
+
+def counts_in_metres(text: str) -> bool:
+    """Whether the plane coordinates of a CRS are metres; also where it is not known, for whoever needs it to say so."""
+    try:
+        crs = _horizontal(parse_crs(text))
+    except CrsError:
+        return True
+    return all(abs(axis.unit_conversion_factor - 1) < 1e-12 for axis in crs.axis_info)
 
 
 def tile_transform(tile_crs: CRS | None, survey_crs: str, corners: FloatArray, *, source: str | Path) -> TileTransform:
@@ -106,7 +115,7 @@ def tile_transform(tile_crs: CRS | None, survey_crs: str, corners: FloatArray, *
     Raises
     ------
     CrsError
-        No CRS, geographic, not in metres, or no exact transformation.
+        No CRS, geographic, not in metres, not counted to the east and north, or no exact transformation.
     """
     if survey_crs == LOCAL:
         if tile_crs is None or _is_site_frame(tile_crs):
@@ -301,7 +310,10 @@ def _unusable(crs: CRS) -> str:
     if not flat.is_projected:
         return "is not a projected CRS"
     unit = _foreign_unit(crs)
-    return f"is in {unit}, not metres" if unit else ""
+    if unit:
+        return f"is in {unit}, not metres"
+    directions = [str(axis.direction) for axis in flat.axis_info]
+    return "" if sorted(directions) == ["east", "north"] else f"counts to the {' and '.join(directions)}, not to the east and north"
 
 
 def _foreign_unit(crs: CRS) -> str:

@@ -1,7 +1,8 @@
 """Files that a path or pattern of survey.toml names, on every system alike.
 
 Endings match whatever their case, as on Windows: half a survey must not be left out because one program wrote .LAZ. Names that exist are
-taken as they stand, though they hold characters of patterns. Backslashes part folders where no name holds one.
+taken as they stand, though they hold characters of patterns. A pattern matches names that begin with a dot, such as those of the copies
+that macOS lays beside files on foreign disks, only if it begins with one. Backslashes part folders where no name holds one.
 """
 
 from __future__ import annotations
@@ -89,7 +90,7 @@ def _walk(folder: Path, parts: tuple[str, ...]) -> Iterator[Path]:
     if part == "**":
         yield from _walk(folder, rest)
         for child in _entries(folder):
-            if child.is_dir() and not child.is_symlink():
+            if child.is_dir() and not child.is_symlink() and not child.name.startswith("."):
                 yield from _walk(child, parts)
     elif not MAGIC.search(part) or os.path.lexists(literal):
         if os.path.lexists(literal):
@@ -97,8 +98,9 @@ def _walk(folder: Path, parts: tuple[str, ...]) -> Iterator[Path]:
     else:
         # folders differ by case on some systems; files of point clouds by that of their ending alone
         matches = re.compile(fnmatch.translate(part), 0 if rest else re.IGNORECASE).match
+        shows_hidden = part.startswith(".")
         for child in _entries(folder):
-            if matches(child.name) and (not rest or child.is_dir()):
+            if matches(child.name) and (shows_hidden or not child.name.startswith(".")) and (not rest or child.is_dir()):
                 yield from _walk(child, rest)
 
 

@@ -14,11 +14,12 @@ import numpy as np
 from ..common.arrays import FloatArray
 from ..common.errors import InputError
 from ..common.input_files import content_of
-from .table_text import TableError, columns_of, decoded, split_table
+from .table_text import UNIT_NAMES, TableError, columns_of, decoded, split_table
 
 Axes = Literal["en", "ne"]
 CONTROL_COLUMNS = ("point_id", "easting", "northing", "height", "sd_e", "sd_n", "sd_h")
 TARGET_COLUMNS = ("point_id", "x", "y", "z")
+SMALL_UNITS = ("mm", "cm", "dm")
 LARGEST = 1e12
 """No coordinate and no time is as large."""
 
@@ -45,7 +46,7 @@ class SurveyedPoints:
     source: Path | None = None
 
 
-def read_control(path: str | Path, *, axes: Axes = "en", sd: float | None = None) -> SurveyedPoints:
+def read_control(path: str | Path, *, axes: Axes = "en", sd: float | None = None, unit: str | None = None) -> SurveyedPoints:
     """Read surveyed targets: ``point_id,easting,northing,height,sd_e,sd_n,sd_h``.
 
     Parameters
@@ -54,6 +55,8 @@ def read_control(path: str | Path, *, axes: Axes = "en", sd: float | None = None
         ``ne`` where what the file calls easting, or x, is the northing.
     sd
         Standard deviation of every coordinate in the unit of the file where it states none; None asks the file for its own.
+    unit
+        ``m``, ``ft`` or ``us-ft``, which no unit in the header may contradict; None takes feet as well as metres.
 
     Raises
     ------
@@ -61,7 +64,7 @@ def read_control(path: str | Path, *, axes: Axes = "en", sd: float | None = None
         File, header, line or field that cannot be used.
     """
     deviations = CONTROL_COLUMNS[4:]
-    rows = read_point_table(path, CONTROL_COLUMNS[:4] if sd is not None else CONTROL_COLUMNS, positive=deviations)
+    rows = read_point_table(path, CONTROL_COLUMNS[:4] if sd is not None else CONTROL_COLUMNS, positive=deviations, unit=unit)
     for row in rows:
         if axes == "ne":
             row["easting"], row["northing"] = row["northing"], row["easting"]
@@ -71,9 +74,20 @@ def read_control(path: str | Path, *, axes: Axes = "en", sd: float | None = None
 
 
 def read_targets(path: str | Path) -> SurveyedPoints:
-    """Read targets as measured in the cloud: ``point_id,x,y,z`` and optionally ``sd`` in metres."""
+    """Read targets as measured in the cloud: ``point_id,x,y,z`` and optionally ``sd`` in metres, of all targets or of none.
+
+    Raises
+    ------
+    InputError
+        File, header, line or field that cannot be used.
+    """
     rows = read_point_table(path, TARGET_COLUMNS, positive=("sd",))
-    sds = ("sd", "sd", "sd") if rows and "sd" in rows[0] else ()
+    stated = [row for row in rows if "sd" in row]
+    if stated and len(stated) < len(rows):
+        line = next(row["line"] for row in rows if "sd" not in row)
+        remedy = "Give it for every target, or leave the column out."
+        raise InputError("has no standard deviation", source=path, where=f"line {line}, field sd", remedy=remedy)
+    sds = ("sd", "sd", "sd") if stated else ()
     return _points(rows, ("x", "y", "z"), sds, Path(path))
 
 
@@ -85,12 +99,13 @@ def read_point_table(
     text: Iterable[str] = ("point_id",),
     unique: bool = True,
     may_be_empty: bool = False,
+    unit: str | None = "m",
 ) -> list[dict[str, Any]]:
     """Read a CSV of points: numbers as float, ``text`` columns as str; the key ``line`` tells where a row stands.
 
     Columns may bear other customary names (:mod:`table_text`), be separated by semicolons or tabs, and then hold decimal commas.
     Further columns are kept if they hold numbers. The first of ``text`` is the name and must be unique unless ``unique`` is False. No
-    points at all are an error unless they ``may_be_empty``.
+    points at all are an error unless they ``may_be_empty``. A header such as ``height [ft]`` must not state another ``unit`` of length.
 
     Raises
     ------
@@ -111,9 +126,7 @@ def read_point_table(
             f"cannot be read ({error.strerror or error})", source=source, remedy="Check the file's permissions and disk."
         ) from None
     names = _header(table.names, columns, positive, source)
-    small = [f"{name} [{unit}]" for name, unit in zip(names, table.units) if unit in ("mm", "cm", "dm") and name in (*columns, *positive)]
-    if small:
-        raise InputError(f"states {small[0]}", source=source, where="line 1", remedy="Give metres: 0.003 for 3 mm.")
+    _check_units([(name, stated) for name, stated in zip(names, table.units) if name in (*columns, *positive)], unit, source)
     rows: list[dict[str, Any]] = []
     seen: dict[str, int] = {}
     for number, fields in table.rows:
@@ -168,6 +181,22 @@ def _header(header: Iterable[str], columns: Sequence[str], positive: Sequence[st
     for name, index in known.items():
         names[index] = name
     return names
+
+
+def _check_units(stated: Iterable[tuple[str, str]], unit: str | None, source: Path) -> None:
+    """Refuse columns whose header states another unit of length than theirs; ``ft`` leaves open which foot."""
+    for name, text in stated:
+        words = text.replace(" ", "")
+        found = UNIT_NAMES.get(words, words if words in SMALL_UNITS else None)
+        if found is None or found == unit or (unit is None and found not in SMALL_UNITS) or (found == "ft" and unit == "us-ft"):
+            continue
+        if found in SMALL_UNITS:
+            remedy = "Give metres: 0.003 for 3 mm."
+        elif unit == "m":
+            remedy = f'Give metres; control that is in feet throughout needs control_unit = "{found}".'
+        else:
+            remedy = f'All numbers of a file with control_unit = "{unit}" are in that unit, standard deviations too.'
+        raise InputError(f"states {name} [{text}]", source=source, where="line 1", remedy=remedy)
 
 
 def _points(rows: list[dict[str, Any]], axes: Sequence[str], sds: Sequence[str], source: Path) -> SurveyedPoints:

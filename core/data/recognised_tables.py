@@ -12,7 +12,7 @@ import numpy as np
 
 from ..common.arrays import FloatArray
 from .dates_in_names import NamedDate, date_in_name
-from .table_text import TableError, TextTable, columns_of, decoded, split_table
+from .table_text import UNIT_NAMES, TableError, TextTable, columns_of, decoded, split_table
 
 Role = Literal["control", "targets", "check", "trajectory", "stations"]
 Extent = tuple[float, float, float, float]
@@ -33,17 +33,6 @@ ANGLE_OF_TRAJECTORY_ROWS = 50
 NEAR = 2.0
 """A table belongs to tiles whose extent, grown by this multiple of its size and 100 m, holds most of its points."""
 FEET: tuple[tuple[str, float], ...] = (("m", 1.0), ("ft", 0.3048), ("us-ft", 1200 / 3937))
-UNIT_NAMES = {
-    "m": "m",
-    "metre": "m",
-    "meter": "m",
-    "ft": "ft",
-    "feet": "ft",
-    "foot": "ft",
-    "us-ft": "us-ft",
-    "ftus": "us-ft",
-    "usft": "us-ft",
-}
 
 
 @dataclass(frozen=True, eq=False)

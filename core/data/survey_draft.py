@@ -10,6 +10,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from .file_patterns import BrokenLink, matching_files
 from .survey import Ring
 
 FIRST_LINE = "# Written by tetratrack init from what the files say"
@@ -173,11 +174,19 @@ def tile_patterns(tiles: Sequence[Path], folder: Path | None) -> list[str]:
         endings = sorted({tile.suffix for tile in mine})
         pattern = f"*{endings[0]}" if len(endings) == 1 else "*.[lL][aA][sSzZ]"
         plain = not any(character in str(parent) for character in "*?[")
-        if plain and len(mine) > 1 and {path for path in parent.glob(pattern) if path.is_file()} == mine:
+        if plain and len(mine) > 1 and _matches(parent, pattern) == mine:
             patterns.append(_shown(parent / pattern, folder))
         else:
             patterns += [_shown(tile, folder) for tile in sorted(mine)]
     return patterns
+
+
+def _matches(folder: Path, pattern: str) -> set[Path]:
+    """What the reader of survey.toml takes the pattern for; nothing where it would refuse it."""
+    try:
+        return set(matching_files(folder, pattern))
+    except (BrokenLink, OSError):
+        return set()
 
 
 def _unit_lines(unit: DraftUnit) -> list[str]:

@@ -30,6 +30,13 @@ SYNONYMS: dict[str, tuple[str, ...]] = {
 }
 """Other names of a column, in lower case, the plainest first; what a file calls by the right name is never read under another."""
 
+UNIT_NAMES = {
+    **dict.fromkeys(("m", "metre", "meter", "metres", "meters"), "m"),
+    **dict.fromkeys(("ft", "feet", "foot"), "ft"),
+    **dict.fromkeys(("us-ft", "ftus", "usft", "ussurveyfoot", "ussurveyfeet"), "us-ft"),
+}
+"""Units of length as headers write them, in lower case without spaces, by their names in survey.toml."""
+
 _UNIT = re.compile(r"\s*[\[(]\s*([^\])]*?)\s*[\])]\s*$")
 
 

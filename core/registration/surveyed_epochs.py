@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
+from ..data.crs import counts_in_metres
 from ..data.point_tables import SurveyedPoints, read_control, read_targets
 from ..data.survey import Epoch
 from .control import Registration, register
@@ -19,7 +20,9 @@ def control_of(epoch: Epoch, path: Path) -> SurveyedPoints:
     InputError
         File, header, line or field that cannot be used.
     """
-    return read_control(path, axes=epoch.control_axes, sd=epoch.control_sd)
+    # a CRS of its own may count in feet, whatever the unit of heights is
+    unit = None if epoch.control_crs is not None and not counts_in_metres(epoch.control_crs) else epoch.control_unit
+    return read_control(path, axes=epoch.control_axes, sd=epoch.control_sd, unit=unit)
 
 
 def surveyed_control(epoch: Epoch, path: Path, survey_crs: str) -> SurveyedPoints:

@@ -123,9 +123,10 @@ def test_tables_of_others_are_not_replaced(site: Path) -> None:
 
 
 def test_two_reliefs_of_one_name_are_refused(tmp_path: Path) -> None:
-    write_las(tmp_path / "a.laz", grid_points())
+    for k in (1, 2):
+        write_las(tmp_path / f"{k}.laz", grid_points())
     epochs = "".join(
-        f'[[epoch]]\nlabel = "{label}"\ntime = 2024-0{k}-14T02:30:00Z\ntiles = "a.laz"\n' for k, label in ((1, "a b"), (2, "a/b"))
+        f'[[epoch]]\nlabel = "{label}"\ntime = 2024-0{k}-14T02:30:00Z\ntiles = "{k}.laz"\n' for k, label in ((1, "a b"), (2, "a/b"))
     )
     survey = write_survey(tmp_path, epochs=epochs)
     done = CliRunner().invoke(app, ["relief", str(survey), "-o", str(tmp_path / "relief")])

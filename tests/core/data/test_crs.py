@@ -32,6 +32,8 @@ def test_what_a_survey_may_use(text: str) -> None:
         ("EPSG:2263", "not metres"),
         ("EPSG:32650+6360", "not metres"),
         ("EPSG:5773", "not a projected CRS"),
+        ("EPSG:2053", "counts to the west and south"),
+        ("EPSG:5513+8357", "counts to the south and west, not to the east and north.*EPSG:5514"),
         ("EPSG:1", "unknown CRS"),
         ("somewhere", "LOCAL"),
     ],
@@ -51,6 +53,11 @@ def test_coordinates_are_easting_first_whatever_the_definition_says() -> None:
     there = moved(easting_first, "EPSG:3006", stockholm)
     assert there is None or np.abs(there - stockholm).max() < 1e-3
     assert moved("EPSG:3006", "EPSG:3006", stockholm) is None
+
+
+def test_tiles_that_count_to_the_west_are_refused() -> None:
+    with pytest.raises(CrsError, match=r"EPSG:2053 counts to the west and south.*tiles_crs = "):
+        moved("EPSG:2053", "EPSG:32736")
 
 
 def test_another_zone_is_transformed_and_heights_are_left() -> None:

@@ -8,6 +8,7 @@ import pytest
 from crooked_las import write_survey
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.data.file_patterns import BrokenLink, existing_path, given_paths, matching_files
+from tetratrack.core.data.survey_draft import tile_patterns
 from tetratrack.core.data.survey_reader import read_survey
 
 
@@ -45,6 +46,36 @@ def folder(tmp_path: Path) -> Path:
 def test_what_patterns_match(folder: Path, pattern: str, names: list[str]) -> None:
     assert [path.name for path in matching_files(folder, pattern)] == names
     assert [path.name for path in matching_files(Path("nowhere"), f"{folder}/{pattern}")] == names
+
+
+def test_names_that_begin_with_a_dot_are_hidden(folder: Path) -> None:
+    """macOS lays ``._a.laz`` beside ``a.laz`` on disks that cannot hold what it notes of a file."""
+    hidden = ("tiles [v2]/._a.laz", ".cache/e.laz")
+    for name in hidden:
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_bytes(b"")
+    assert [path.name for path in matching_files(folder, "tiles [v2]/*.laz")] == ["a.laz", "b.LAZ", "c.Laz"]
+    assert {path.name for path in matching_files(folder, "**/*.laz")}.isdisjoint({"._a.laz", "e.laz"})
+    assert not matching_files(folder, "*cache/*.laz")
+    assert [path.name for path in matching_files(folder, ".c*/*.laz")] == ["e.laz"]
+    assert [path.name for path in matching_files(folder, "tiles [v2]/._*.laz")] == ["._a.laz"]
+
+
+def test_patterns_of_a_draft_match_its_tiles_and_no_other_file(folder: Path) -> None:
+    """One year's program wrote .laz, the next year's .LAZ: the reader takes both for ``*.laz``."""
+    whole = matching_files(folder, "tiles [v2]/*.laz")
+    plain = folder / "tiles"
+    (folder / "tiles [v2]").rename(plain)
+    tiles = [plain / path.name for path in whole]
+    assert tile_patterns(tiles, folder) == ["tiles/*.[lL][aA][sSzZ]"]
+    (plain / "d.laz").write_bytes(b"")
+    tiles = [plain / name for name in ("a.laz", "d.laz")]
+    patterns = tile_patterns(tiles, folder)
+    assert patterns == ["tiles/a.laz", "tiles/d.laz"]
+    assert sorted(found for pattern in patterns for found in matching_files(folder, pattern)) == tiles
+    (plain / "lost.laz").symlink_to(plain / "gone.laz")
+    every = [plain / name for name in ("a.laz", "b.LAZ", "c.Laz", "d.laz")]
+    assert tile_patterns(every, folder) == [f"tiles/{path.name}" for path in every]
 
 
 def test_single_paths(folder: Path) -> None:

@@ -22,7 +22,7 @@ height = 2.3
 [[epoch]]
 label = "b"
 time = 2025-03-14T10:30:00+08:00
-tiles = "tiles/*.laz"
+tiles = "later/*.laz"
 
 [[epoch]]
 label = "a"
@@ -44,9 +44,9 @@ def test_limits_of_grades_out_of_order_are_refused(folder: Path, given: str, lin
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    (tmp_path / "tiles").mkdir()
-    for name in ("one.laz", "two.laz"):
-        (tmp_path / "tiles" / name).write_bytes(b"")
+    for name in ("tiles/one.laz", "tiles/two.laz", "later/one.laz"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_bytes(b"")
     return tmp_path
 
 
@@ -114,7 +114,8 @@ def test_several_types_of_unit(folder: Path) -> None:
         ("time = 2024-03-14T02:30:00Z", "time = 2025-03-14T02:30:00Z", "time = 2025-03-14T02", "belongs to two epochs"),
         ('label = "a"', 'label = "b"', 'tiles = ["', "belongs to two epochs"),
         ('label = "a"', 'label = " "', 'label = " "', "label is empty"),
-        ('"tiles/*.laz"\n\n', '"tiles/*.las"\n\n', "*.las", "no file matches tiles/*.las"),
+        ('"later/*.laz"\n\n', '"later/*.las"\n\n', "*.las", "no file matches later/*.las"),
+        ('"later/*.laz"\n\n', '"*/*.laz"\n\n', 'tiles = ["', "one.laz belongs to two epochs, b and a"),
         ('"tiles/one.laz"', '"tiles/none.laz"', "none.laz", "there is no file tiles/none.laz"),
         ('["tiles/one.laz", "tiles/*.laz"]', "7", "tiles = 7", "a path in quotes or a list"),
         ('label = "a"', 'label = "a"\ncontrol = "c.csv"', "c.csv", "there is no file c.csv"),

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -11,9 +14,11 @@ from scipy.spatial.transform import Rotation
 from scipy.stats import chi2, kstest
 from tetratrack.core.common.errors import CrsError, InputError
 from tetratrack.core.data.point_tables import CONTROL_COLUMNS, SurveyedPoints, read_control, read_targets
+from tetratrack.core.data.survey import Epoch
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.registration import control as module
 from tetratrack.core.registration.survey_frame import METRES_PER, grid_scale, to_survey_frame
+from tetratrack.core.registration.surveyed_epochs import control_of
 from tetratrack.core.registration.transformation import Transformation, mean_offset_variance
 from tetratrack.core.registration.weighted_transformation import weighted_fit
 
@@ -243,6 +248,51 @@ def test_a_long_field_is_told_in_one_sentence(tmp_path: Path, value: str) -> Non
         with pytest.raises(InputError, match="line 2, field") as caught:
             read_control(path)
         assert len(str(caught.value)) < 200 + len(str(path))
+
+
+@pytest.mark.parametrize("blank", [0, 1, 2])
+def test_a_target_without_its_standard_deviation_is_named(tmp_path: Path, blank: int) -> None:
+    lines = [f"T{k},{k},2,3,{'' if k == blank else 0.002}" for k in range(3)]
+    path = tmp_path / "targets.csv"
+    path.write_text("\n".join(["point_id,x,y,z,sd", *lines]), encoding="utf-8")
+    with pytest.raises(InputError, match=f"line {blank + 2}, field sd: has no standard deviation"):
+        read_targets(path)
+    path.write_text("point_id,x,y,z,sd\nT1,1,2,3,\nT2,2,2,3,\n", encoding="utf-8")
+    assert not read_targets(path).sds.any()
+
+
+HEADER_IN = "point_id,easting [{0}],northing [{0}],height [{1}],sd_e [{2}],sd_n [{2}],sd_h [{2}]\nT1,1,2,3,.1,.1,.1\n"
+
+
+@pytest.mark.parametrize(
+    ("units", "unit", "crs", "words"),
+    [
+        (("m", "m", "ft"), "m", None, r"states sd_e \[ft\].*control_unit = \"ft\""),
+        (("ft", "ft", "m"), "ft", None, r"states sd_e \[m\]"),
+        (("m", "US ft", "m"), "m", None, r"states height \[us ft\]"),
+        (("m", "m", "mm"), "m", None, "0.003 for 3 mm"),
+        (("ft", "ft", "ft"), "m", "EPSG:32651", r"states easting \[ft\]"),
+        (("ft", "ft", "cm"), "ft", "EPSG:2263", r"states sd_e \[cm\]"),
+        (("ft", "ft", "ft"), "us-ft", None, ""),
+        (("ft", "m", "ft"), "m", "EPSG:2263", ""),
+        (("UTM 50N", "DHHN2016", "m"), "m", None, ""),
+    ],
+)
+def test_units_in_the_header_must_be_those_of_the_survey(
+    tmp_path: Path, units: tuple[str, ...], unit: Literal["m", "ft", "us-ft"], crs: str | None, words: str
+) -> None:
+    path = tmp_path / "control.csv"
+    path.write_text(HEADER_IN.format(*units), encoding="utf-8")
+    epoch = Epoch(label="a", time=datetime(2025, 1, 1, tzinfo=UTC), tiles=(), control=path, control_unit=unit, control_crs=crs)
+    with pytest.raises(InputError, match=words) if words else nullcontext():
+        control_of(epoch, path)
+
+
+def test_targets_are_in_metres(tmp_path: Path) -> None:
+    path = tmp_path / "targets.csv"
+    path.write_text("point_id,x [ft],y [ft],z [ft]\nT1,1,2,3\n", encoding="utf-8")
+    with pytest.raises(InputError, match=r"line 1: states x \[ft\]. Give metres"):
+        read_targets(path)
 
 
 def test_missing_file(tmp_path: Path) -> None:

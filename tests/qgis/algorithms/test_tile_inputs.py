@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+import struct
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 from qgis.core import QgsProcessingContext, QgsProcessingException
 from tetratrack.algorithms.support.inputs import tile_paths
+from tetratrack.algorithms.survey_algorithm import creation_date
 
 
 def _names(value: object) -> list[str]:
@@ -32,3 +35,12 @@ def test_tiles_as_people_give_them(folder: Path) -> None:
     assert _names([str(folder / "all.VPC"), str(folder / "tiles" / "a.laz")]) == ["a.laz"]
     with pytest.raises(QgsProcessingException, match=r"gone\.laz"):
         _names(f'"{folder / "tiles" / "a.laz"}" "{folder / "gone.laz"}"')
+
+
+@pytest.mark.parametrize("year", [0, 1970, 9999, 65535])
+def test_a_year_beyond_reason_is_no_creation_date(tmp_path: Path, year: int) -> None:
+    tile = tmp_path / "a.las"
+    tile.write_bytes(b"LASF".ljust(90, b"\0") + struct.pack("<HH", 366, year))
+    assert abs(creation_date(tile).timestamp() - tile.stat().st_mtime) < 1
+    tile.write_bytes(b"LASF".ljust(90, b"\0") + struct.pack("<HH", 366, 2024))
+    assert creation_date(tile) == datetime(2024, 12, 31, tzinfo=UTC)
