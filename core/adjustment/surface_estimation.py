@@ -12,12 +12,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
+from typing import Any
 
 import numpy as np
 
 from ..common.arrays import FloatArray, IntArray
-from ..common.kernels import side_by_side
-from ..common.positive_definite import inverse
+from ..common.kernels import kernel, side_by_side
+from ..common.positive_definite import factorise, inverse_factor, whiten_columns
 from ..model.mould import AXIAL_CELLS, AZIMUTH_CELLS, DISC_CELLS
 from .shape_effects import (
     COMPONENTS,
@@ -25,7 +26,6 @@ from .shape_effects import (
     CellSums,
     SurfaceModel,
     prior_surface,
-    smooth_factors,
     straight_cells,
     structures,
 )
@@ -49,8 +49,6 @@ LEAST_MOULD_UNITS = 4
 OWN, STRAIGHT, ENDS, SIZE = range(len(COMPONENTS), len(COMPONENTS) + 4)
 """Places of the variances of what does not come back, of its shares, and of the size, after those of the components."""
 SHORT_RANGE = [COMPONENTS.index("patch"), COMPONENTS.index("spot")]
-WHOLE = [*SHORT_RANGE, OWN, STRAIGHT, ENDS]
-"""Variances that multiply matrices of full rank."""
 PATCH_TAILS = 2.0
 """Factor of the standard deviation of what is left from patch to patch: chips, fins and fillets make it long-tailed. Chosen on real units
 seen from sides drawn anew (``benchmarks/accuracy/real_views.py``), beside two factors derived from surveys; simulated castings do not
@@ -89,25 +87,45 @@ class SampledUnit:
 
 @dataclass(frozen=True, eq=False)
 class _Observed:
-    """Means of the cells of one unit, poses projected out by an orthonormal basis of the space that they do not reach.
+    """Means of n cells of one unit, leg by leg.
 
-    ``values`` (m,), their ``noise`` (m, m), ``factors`` (m, r) of what the variances of :func:`_factored` multiply, ``parts`` (v, m, m)
-    that those of ``WHOLE`` multiply, and what the mould's cells and the mean size add, ``mould`` (m, MOULD_CELLS + 1).
+    Attributes
+    ----------
+    distances
+        (n,) of the means, as if the unit had its nominal size, metres.
+    cells, first
+        (n,) cell of each, and (5,) where the cells of each leg begin, and where the last one's end.
+    known
+        (n,) variance of each mean whatever the castings are, and (n,) of what its cell has beyond them in all sightings.
+    doubt
+        (3, n) by what the variances ``OWN``, ``STRAIGHT`` and ``ENDS`` are multiplied.
+    unknowns
+        (q, n) an orthonormal basis of what poses reach, and last the derivatives by the unit's size, of which a variance is known.
     """
 
-    values: FloatArray
-    noise: FloatArray
-    factors: FloatArray
-    parts: FloatArray
-    mould: FloatArray
+    distances: FloatArray
+    cells: IntArray
+    first: IntArray
+    known: tuple[FloatArray, FloatArray]
+    doubt: FloatArray
+    unknowns: FloatArray
 
-    def covariance(self, variances: FloatArray) -> FloatArray:
-        """(m, m) of the values."""
-        scaled = self.factors * np.sqrt(variances[_factored()])
-        result = np.tensordot(variances[WHOLE], self.parts, axes=1)
-        result += scaled @ scaled.T
-        result += self.noise
-        return np.asarray(result)
+    def projector(self, values: FloatArray, covariance: FloatArray) -> FloatArray:
+        """(n, n) inverse of the covariance of the distances within the space that poses do not reach, zero in what they do.
+
+        ``values`` are the variances, and ``covariance`` what those of ``COMPONENTS`` make of the cells of a leg.
+        """
+        result, told = np.zeros((len(self.distances), len(self.distances))), np.zeros_like(self.unknowns)
+        noise, apart = self.known
+        own = noise + values[OWN:SIZE] @ self.doubt
+        places = self.cells % LEG_CELLS, self.first
+        _project(covariance, places, (own, apart), (self.unknowns, 1 / values[SIZE]), (result, told))
+        result -= told.T @ told
+        return result
+
+    def beside(self, mould: FloatArray) -> FloatArray:
+        """(n,) distances from a mould, (MOULD_CELLS + 1,) its cells and the mean size."""
+        return np.asarray(self.distances - mould[mould_cells()[self.cells]] + mould[-1] * self.unknowns[-1])
 
 
 def estimate_surface(
@@ -143,7 +161,7 @@ def estimate_surface(
         if learns and step % MOULD_STEPS == 0:
             mould = _mould(observed, values, height)
         forms, traces = np.zeros(len(values)), np.zeros(len(values))
-        for a, t in side_by_side(partial(_scores, values=values, mould=mould), observed):
+        for a, t in side_by_side(partial(_scores, values=values, covariance=_of_components(values), mould=mould), observed):
             forms += a
             traces += t
         new = values * np.sqrt((forms + degrees * base / values**2) / (traces + degrees / values))
@@ -193,10 +211,12 @@ def _mould(observed: Sequence[_Observed], values: FloatArray, height: float) -> 
     straight = np.unique(mould_cells()[straight_cells()])
     normal[np.ix_(straight, straight)] += 1 / (len(straight) * STRAIGHT_SD * height) ** 2
     normal[-1, -1] = 1 / SIZE_MEAN_SD**2
+    covariance = _of_components(values)
     for o in observed:
-        weighted = np.linalg.solve(o.covariance(values), np.column_stack([o.mould, o.values]))
-        normal += o.mould.T @ weighted[:, :-1]
-        rhs += o.mould.T @ weighted[:, -1]
+        design = np.column_stack([np.eye(MOULD_CELLS)[mould_cells()[o.cells]], -o.unknowns[-1]])
+        weighted = design.T @ o.projector(values, covariance)
+        normal += weighted @ design
+        rhs += weighted @ o.distances
     return np.asarray(np.linalg.solve(normal, rhs))
 
 
@@ -210,23 +230,20 @@ def _observations(unit: SampledUnit, surface: SurfaceModel) -> _Observed | None:
     columns = np.vstack([_columns(sums, own, seen, surface) for sums, own, seen in parts])
     chosen = np.arange(0, count, -(-count // MOST_CELLS))
     where = np.concatenate(cells)[chosen]
-    distance, noise, doubt, uneven = columns[chosen, :4].T
-    design, size = columns[chosen, 4:-1], columns[chosen, -1]
-    basis, _ = np.linalg.qr(design, mode="complete")
-    free = basis[:, poses:]
-    straight = straight_cells()[where]
-    leg, place = np.divmod(where, LEG_CELLS)
-    same_leg = leg[:, None] == leg
-    kernels = [free.T @ (same_leg * structures()[k][np.ix_(place, place)]) @ free for k in SHORT_RANGE]
-    kernels += [free.T @ (d[:, None] * free) for d in (doubt, doubt * uneven * straight, doubt * uneven * ~straight)]
-    each_leg = [(leg[:, None] == k) * np.hstack(smooth_factors())[place] for k in range(4)]
-    factors = free.T @ np.column_stack([*each_leg, size])
-    mould = free.T @ np.column_stack([np.eye(MOULD_CELLS)[mould_cells()[where]], -size])
-    known = np.diag(noise)
-    if unit.apart is not None:
-        known += np.where(where[:, None] == where, unit.apart[where], 0.0)
-    # as if the unit had its nominal size
-    return _Observed(free.T @ (distance - unit.scale * size), free.T @ known @ free, factors, np.stack(kernels), mould)
+    # sightings are summed up one after the other, legs are what is eliminated together
+    by_leg = np.argsort(where // LEG_CELLS, kind="stable")
+    where, columns = where[by_leg], columns[chosen[by_leg]]
+    distance, noise, doubt, uneven = columns[:, :4].T
+    basis, _ = np.linalg.qr(columns[:, 4:-1])
+    size, straight = columns[:, -1], straight_cells()[where]
+    return _Observed(
+        distances=distance - unit.scale * size,
+        cells=where,
+        first=np.searchsorted(where // LEG_CELLS, np.arange(5)),
+        known=(noise, np.zeros(len(where)) if unit.apart is None else unit.apart[where]),
+        doubt=np.stack([doubt, doubt * uneven * straight, doubt * uneven * ~straight]),
+        unknowns=np.vstack([basis.T, size]),
+    )
 
 
 def _columns(sums: CellSums, own: FloatArray, seen: IntArray, surface: SurfaceModel) -> FloatArray:
@@ -238,19 +255,89 @@ def _columns(sums: CellSums, own: FloatArray, seen: IntArray, surface: SurfaceMo
     return np.column_stack([*means, sums.rows[seen] / weight[:, None]])
 
 
+def _of_components(values: FloatArray) -> FloatArray:
+    """(LEG_CELLS, LEG_CELLS) covariance of the cells of a leg by variances of which the first are those of ``COMPONENTS``."""
+    return np.asarray(np.tensordot(values[:OWN], structures(), axes=1))
+
+
 @lru_cache(maxsize=1)
-def _factored() -> IntArray:
-    """(r,) place of the variance of each column of factors."""
-    counts = [columns.shape[1] for columns in smooth_factors()]
-    return np.append(np.tile(np.repeat(np.arange(len(counts)), counts), 4), SIZE)
+def _structures_by_cells() -> FloatArray:
+    """(LEG_CELLS, LEG_CELLS, len(COMPONENTS)) :func:`.shape_effects.structures`, those of two cells beside each other."""
+    return np.ascontiguousarray(np.moveaxis(structures(), 0, -1))
 
 
-def _scores(o: _Observed, values: FloatArray, mould: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _scores(o: _Observed, values: FloatArray, covariance: FloatArray, mould: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Quadratic forms y' P K_j P y and traces of P K_j by variance."""
-    p = inverse(o.covariance(values))
-    py = p @ (o.values - o.mould @ mould)
+    p = o.projector(values, covariance)
+    py = p @ o.beside(mould)
+    size = o.unknowns[-1]
     forms, traces = np.zeros(len(values)), np.zeros(len(values))
-    np.add.at(forms, _factored(), (o.factors.T @ py) ** 2)
-    np.add.at(traces, _factored(), np.sum(o.factors * (p @ o.factors), axis=0))
-    forms[WHOLE], traces[WHOLE] = (o.parts @ py) @ py, o.parts.reshape(len(WHOLE), -1) @ p.ravel()
+    _add_scores(p, py, o.cells % LEG_CELLS, o.first, _structures_by_cells(), forms, traces)
+    forms[OWN:SIZE], traces[OWN:SIZE] = o.doubt @ py**2, o.doubt @ np.diag(p)
+    forms[SIZE], traces[SIZE] = (size @ py) ** 2, size @ p @ size
     return forms, traces
+
+
+@kernel(releases=True)
+def _project(covariance: Any, places: Any, variances: Any, asked: Any, found: Any) -> None:
+    """V^-1 and L^-1 Z' V^-1 with L L' = Z' V^-1 Z + D into ``found``, (n, n) and (q, n), which hold zeros.
+
+    Nothing but what is unknown ties two legs, so that V falls apart into theirs.
+
+    Parameters
+    ----------
+    covariance
+        (LEG_CELLS, LEG_CELLS) of the cells of a leg.
+    places
+        (n,) which of these each mean is of, and (5,) where those of each leg begin.
+    variances
+        (n,) of single means, and of what all means of one cell have in common.
+    asked
+        Z' (q, n), and what D holds for the last of it alone.
+    """
+    cells, first = places
+    own, apart = variances
+    unknowns, weight = asked
+    inverse, told = found
+    count = len(unknowns)
+    for leg in range(4):
+        start, size = first[leg], first[leg + 1] - first[leg]
+        factor, roots = np.empty((size, size)), np.zeros((size, size))
+        for a in range(size):
+            for b in range(a + 1):
+                factor[a, b] = covariance[cells[start + a], cells[start + b]]
+                if cells[start + a] == cells[start + b]:
+                    factor[a, b] += apart[start + a]
+            factor[a, a] += own[start + a]
+        factorise(factor)
+        inverse_factor(factor, roots)
+        for k in range(size):
+            for a in range(k + 1):
+                for b in range(k + 1):
+                    inverse[start + a, start + b] += roots[k, a] * roots[k, b]
+        for q in range(count):
+            for a in range(size):
+                for b in range(size):
+                    told[q, start + b] += unknowns[q, start + a] * inverse[start + a, start + b]
+    system = np.zeros((count, count))
+    for q in range(count):
+        for r in range(q + 1):
+            for a in range(len(cells)):
+                system[q, r] += told[q, a] * unknowns[r, a]
+    system[count - 1, count - 1] += weight
+    factorise(system)
+    whiten_columns(system, told)
+
+
+@kernel(releases=True)
+def _add_scores(p: Any, py: Any, cells: Any, first: Any, structures: Any, forms: Any, traces: Any) -> None:
+    """Quadratic forms and traces of the components, (LEG_CELLS, LEG_CELLS, k) by cells, added to ``forms`` and ``traces`` of (n, n) ``p``
+    and (n,) ``py``; cells and legs as in :func:`_project`."""
+    for leg in range(4):
+        for a in range(first[leg], first[leg + 1]):
+            for b in range(first[leg], a + 1):
+                times = 1.0 if a == b else 2.0
+                form, trace = times * py[a] * py[b], times * p[a, b]
+                for k in range(structures.shape[2]):
+                    forms[k] += form * structures[cells[a], cells[b], k]
+                    traces[k] += trace * structures[cells[a], cells[b], k]

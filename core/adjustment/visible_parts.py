@@ -57,7 +57,12 @@ def beyond_ends(body: FloatArray, directions: FloatArray, length: float, rim: fl
     axial = body @ directions.T
     beside = np.einsum("ij,ij->i", body, body)[:, None] - axial**2 < rim**2
     beyond = axial - length
-    return beyond, beside & (np.abs(beyond) < (1 - TIP_RATIO) * length + 3 * noise)
+    return beyond, beside & (np.abs(beyond) < farthest_from_end(length, noise))
+
+
+def farthest_from_end(length: float, noise: float) -> float:
+    """How far from the end of a leg of a length points of its end disc may lie, metres: tips are rounded."""
+    return (1 - TIP_RATIO) * length + 3 * noise
 
 
 def plane_beyond(lengths: FloatArray, noise: float) -> float | None:

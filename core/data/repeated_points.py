@@ -14,18 +14,23 @@ def by_place(xyz: FloatArray, source_id: NDArray[np.uint16], gps_time: FloatArra
 
     The same as ``np.lexsort`` of all five, in a third of the time: few points share easting and northing.
     """
-    plan = np.empty(len(xyz), dtype=np.complex128)
-    # numpy orders complex numbers by their real parts, then by the others
-    plan.real, plan.imag = xyz[:, 0], xyz[:, 1]
-    order = np.argsort(plan, kind="stable")
-    plan = plan[order]
-    same = plan[1:] == plan[:-1]
+    if not len(xyz):
+        return np.empty(0, dtype=np.int64)
+    low, high = corners(xyz[:, :2])
+    # whole numbers are sorted in vector registers: easting in the upper bits, northing in the lower ones
+    steps = np.floor((xyz[:, :2] - low) / np.maximum(high - low, 1e-300) * (2.0**31 - 1)).astype(np.int64)
+    order = np.argsort((steps[:, 0] << 32) | steps[:, 1])
+    x, y = xyz[order, 0], xyz[order, 1]
+    same = (x[1:] == x[:-1]) & (y[1:] == y[:-1])
+    if ((x[1:] < x[:-1]) | ((x[1:] == x[:-1]) & (y[1:] < y[:-1]))).any():
+        # eastings that differ by less than a step
+        return np.lexsort((gps_time, source_id, xyz[:, 2], xyz[:, 1], xyz[:, 0]))
     tied = np.zeros(len(xyz), dtype=np.bool_)
     tied[1:] |= same
     tied[:-1] |= same
-    again = order[tied]
+    again = np.sort(order[tied])
     order[tied] = again[np.lexsort((gps_time[again], source_id[again], xyz[again, 2], xyz[again, 1], xyz[again, 0]))]
-    return np.asarray(order, dtype=np.int64)
+    return order
 
 
 def second_copies(

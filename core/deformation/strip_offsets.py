@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from ..adjustment.shape_effects import CELLS, LEG_CELLS, CellSums, Eliminated
+from ..adjustment.shape_effects import CELLS, CellSums, Eliminated
 from ..common.arrays import FloatArray, IntArray, upper_triangle
 from ..common.kernels import side_by_side
 from ..common.positive_definite import largest_sd
@@ -42,7 +42,7 @@ from .joint_records import JointAdjustment, UnitSighting
 from .presence import CHANCE_SDS
 from .streamed_median import StreamedMedian
 from .strip_drifts import DriftSystem, Knots, UnitEquations
-from .strip_observations import Body, StripObservations, accumulate, kept_share, observations
+from .strip_observations import Body, StripObservations, accumulate, deviations, kept_share, observations
 from .strip_systems import DriftStep, OffsetSystem, StripSystem, StripValues, UnitBlock
 from .unit_clouds import ReadCloud, by_home
 
@@ -188,11 +188,11 @@ class _JointSolver:
         spread, share = StreamedMedian(), StreamedMedian()
         settled = False
         while not settled:
-            deviations = side_by_side(
-                lambda item: (item[0], [_deviations(seen) for seen in self.observed(*item, before, derived=False)]),
+            found = side_by_side(
+                lambda item: (item[0], [deviations(seen) for seen in self.observed(*item, before, derived=False)]),
                 self.clouds(),
             )
-            for unit, parts in deviations:
+            for unit, parts in found:
                 for k, part in zip(self.order[unit], parts, strict=True):
                     if part is not None:
                         for median, numbers in zip((within[self.sightings[k].epoch], spread, share), part, strict=True):
@@ -478,22 +478,3 @@ def _inverse(normal: FloatArray, length: float) -> FloatArray:
     poses = (len(normal) - 1) // 6
     prior = np.array(([1 / length**2] * 3 + [1.0] * 3) * poses + [0.0])
     return np.asarray(np.linalg.inv(normal + np.diag(prior)))
-
-
-def _deviations(seen: StripObservations) -> tuple[FloatArray, FloatArray, FloatArray] | None:
-    """Absolute deviations of one sighting's points from the means of their patches, of these means from the cones, and one over the points
-    of each patch; None where too few points are seen.
-    """
-    good = seen.patches >= 0
-    if good.sum() < 10:
-        return None
-    e, p = seen.residuals[good], seen.patches[good]
-    keep = np.abs(e) < 6 * MAD_TO_SD * np.median(np.abs(e))
-    e, p = e[keep], p[keep]
-    counts = np.bincount(p, minlength=4 * LEG_CELLS)
-    sums = np.bincount(p, e, minlength=4 * LEG_CELLS)
-    mean = sums / np.maximum(counts, 1)
-    full = counts >= 4
-    inside = full[p]
-    about_mean = (e - mean[p])[inside] * np.sqrt(counts[p] / np.maximum(counts[p] - 1, 1))[inside]
-    return np.abs(about_mean), np.abs(mean[full]), 1 / counts[full]

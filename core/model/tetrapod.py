@@ -273,7 +273,8 @@ def leg_frame(unit: UnitType) -> tuple[FloatArray, FloatArray]:
 def turn_around(body_points: FloatArray, leg: IntArray, unit: UnitType) -> FloatArray:
     """(n,) angle of (n, 3) points in the body frame around the axes of their (n,) legs, from the first vector of :func:`leg_frame`."""
     first, second = leg_frame(unit)
-    return np.asarray(np.arctan2(np.sum(body_points * second[leg], axis=1), np.sum(body_points * first[leg], axis=1)))
+    across, towards = (np.einsum("ij,ij->i", body_points, own[leg]) for own in (second, first))
+    return np.asarray(np.arctan2(across, towards))
 
 
 def _farthest(points: FloatArray, count: int) -> IntArray:

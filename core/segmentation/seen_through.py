@@ -104,7 +104,7 @@ class _Source:
     def around(self, centre: FloatArray, reach: float) -> _Around:
         """Points within reach of a place, from there."""
         own = self.points[self._grid.within(centre, reach)] - centre
-        return _Around(own, _nearest_first(own))
+        return _Around(own, nearest_first(own))
 
     def keep(self, centre: FloatArray, stands: FloatArray) -> None:
         """Remember places, from a unit's centre, from which hardly a beam enters what stands around it."""
@@ -210,9 +210,15 @@ class SeenThrough:
         return _Stands(tried[likely], likelihoods[likely])
 
 
-def _nearest_first(points: FloatArray) -> FloatArray:
-    """(n, 3) points in the order of their distance from the origin."""
-    return np.asarray(points[np.argsort(np.sum(points**2, axis=1), kind="stable")])
+def nearest_first(points: FloatArray) -> FloatArray:
+    """(n, 3) points in the order of their distance from the origin, those equally far in their own."""
+    squares = np.einsum("ij,ij->i", points, points)
+    # in half the time of a stable order, which differs where two points are equally far
+    order = np.argsort(squares)
+    ranked = squares[order]
+    if (ranked[1:] == ranked[:-1]).any():
+        order = np.argsort(squares, kind="stable")
+    return np.asarray(points[order])
 
 
 def _spread(points: FloatArray, count: int) -> FloatArray:

@@ -16,6 +16,15 @@ def test_order_is_that_of_all_five_keys():
         assert by_place(xyz, source, time).tolist() == wanted.tolist()
 
 
+def test_order_holds_where_eastings_differ_by_next_to_nothing():
+    rng = np.random.default_rng(8)
+    xyz = np.round(rng.uniform(500_000, 500_040, (3000, 3)), 2)
+    # as tiles of other offsets have them
+    xyz[1::2, 0] = xyz[::2, 0] + 1e-10
+    order = by_place(xyz, np.zeros(3000, dtype=np.uint16), np.zeros(3000))
+    assert order.tolist() == np.lexsort((xyz[:, 2], xyz[:, 1], xyz[:, 0])).tolist()
+
+
 def test_copies_in_later_tiles_are_seen_wherever_tiles_lie():
     rng = np.random.default_rng(7)
     low = np.array([(0.0, 0.0, 0.0), (9.0, 0.0, 0.0), (50.0, 0.0, 0.0)])
