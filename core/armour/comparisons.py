@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -15,15 +16,18 @@ from ..common.centreline import ARM_HEIGHTS, centreline
 from ..common.errors import InputError, OutputError
 from ..common.output_files import check_targets
 from ..results.comparison_layers import PLAN_LAYERS, PROFILE_LAYERS, SECTION_LAYERS
-from ..results.geopackage_reader import crs_of, read_layer_rows
+from ..results.frame_heights import FrameHeights
+from ..results.geopackage_reader import EpochPair, crs_of, read_layer_rows
 from ..results.geopackage_writer import check_beside, write_beside
 from ..results.schema import Layer
+from ..results.unit_rows import read_epochs, read_unit_rows
 from ..review.point_index import index_folder, index_of
 from .as_built import AsBuilt, read_as_built
+from .crest import CrestErrors, crest_rows
 from .design_files import read_design_lines, read_plan, split_source
 from .design_surface import DesignSurface, Reference, compare_with_profile, design_surface
 from .placement_plan import PlanComparison, Tolerance, compare_with_plan
-from .sections import CutPlane, crest_rows, cut_planes, section_rows, settlement_rows
+from .sections import CutPlane, cut_planes, section_rows, settlement_rows
 
 SLAB = 0.15
 """Points nearer than this to a section belong to it, metres."""
@@ -226,7 +230,7 @@ def profiles(
         planes=planes,
         epochs=epochs,
         sections=section_rows(models, line, planes, _by_section(clouds, epochs, planes), surface),
-        crest=crest_rows(models, line, planes, distance),
+        crest=crest_rows(models, line, planes, distance, _crest_errors(result, epochs)),
         settlement=settlement_rows(read_layer_rows(result, "stretches"), line, line if axis is None else _axis(None, models), places),
     )
 
@@ -262,6 +266,17 @@ def _models(result: Path) -> list[AsBuilt]:
     rows = read_layer_rows(result, "epochs")
     labels = [str(row["label"]) for row in sorted(rows, key=lambda row: str(row["time"])) if row["label"] in have]
     return [latest if label == latest.epoch else read_as_built(result, label) for label in labels]
+
+
+def _crest_errors(result: Path, epochs: Sequence[str]) -> CrestErrors:
+    """What is known of the errors of heights and of their changes from one of the ``epochs`` to the next."""
+    bends = read_layer_rows(result, "frame_errors")
+    frames = {info.label: FrameHeights.read(info, bends) for info in read_epochs(result)}
+    changes = {}
+    for pair in pairwise(epochs):
+        moved = read_unit_rows(result, EpochPair(*pair), "control")
+        changes[pair] = {row.unit_id: float(row.sd[2]) ** 2 for row in moved if row.sd is not None}
+    return CrestErrors(frames, changes)
 
 
 def _axis(given: FloatArray | None, models: Sequence[AsBuilt]) -> Axis:

@@ -1,4 +1,4 @@
-"""Cross-sections of the armour by chainage, its crest, and settlement along it."""
+"""Cross-sections of the armour by chainage, and settlement along it."""
 
 from __future__ import annotations
 
@@ -11,16 +11,14 @@ import numpy as np
 
 from ..common.arrays import FloatArray
 from ..common.axis import Axis
-from ..model.facets import facets, plan_outline
-from ..model.outline import PlacedShape, nominal_diameter
+from ..model.facets import facets
+from ..model.outline import PlacedShape
 from ..results.geopackage_reader import Row
 from ..results.unit_rows import Z_95
-from .as_built import AsBuilt, BuiltUnit
+from .as_built import AsBuilt
 from .contacts import reach_of
-from .design_surface import DesignSurface, support
+from .design_surface import DesignSurface
 
-CREST_DIAMETERS = 0.5
-"""Units whose top lies less than this below the highest one of a reach are its crest, nominal diameters."""
 ANOTHER_PART = 2.0
 """Distance from the axis along a section over that from the axis at all, beyond which a unit belongs to another part of a bent axis."""
 POINT_STEP = 0.10
@@ -28,7 +26,6 @@ POINT_STEP = 0.10
 POINT_SHARE = 0.95
 """Quantile of the points' heights that stands for the surface: the highest points are spray and birds."""
 DESIGN_STEP = 0.25
-UP = np.array([0.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,25 +131,6 @@ def section_rows(
     return rows
 
 
-def crest_rows(models: Sequence[AsBuilt], axis: Axis, planes: Sequence[CutPlane], step: float) -> list[dict[str, Any]]:
-    """Rows of ``crest``: height and width of the crest in the reach about every plane and epoch, and its change since the epoch before."""
-    rows = []
-    for number, plane in enumerate(planes, start=1):
-        before: dict[str, tuple[float, float]] = {}
-        for model in models:
-            along = axis.locate(np.array([unit.shape.centre for unit in model.units]))[0]
-            own = [unit for unit, a in zip(model.units, along, strict=True) if abs(a - plane.along) <= step / 2 + 1e-9]
-            if not own:
-                before = {}
-                continue
-            tops = np.array([unit.shape.centre[2] + support(unit.shape, UP) for unit in own])
-            limit = tops.max() - CREST_DIAMETERS * nominal_diameter([unit.shape for unit in own])
-            crest = [(unit, float(top)) for unit, top in zip(own, tops, strict=True) if top >= limit]
-            rows.append({"section": number, "along": plane.along, "epoch": model.epoch} | _crest(crest, axis, plane, before))
-            before = {unit.unit_id: (top, float(unit.row.get("sd_h") or 0.0)) for unit, top in crest}
-    return rows
-
-
 def settlement_rows(stretches: Sequence[Row], axis: Axis, centreline: Axis, places: FloatArray) -> list[dict[str, Any]]:
     """Rows of ``settlement`` from those of ``stretches``: each drawn as the part of the axis beside the chainage that it covers.
 
@@ -174,26 +152,6 @@ def settlement_rows(stretches: Sequence[Row], axis: Axis, centreline: Axis, plac
             }
         )
     return rows
-
-
-def _crest(
-    crest: Sequence[tuple[BuiltUnit, float]], axis: Axis, plane: CutPlane, before: Mapping[str, tuple[float, float]]
-) -> dict[str, Any]:
-    tops = np.array([top for _, top in crest])
-    sds = np.array([float(unit.row.get("sd_h") or 0.0) for unit, _ in crest])
-    across = np.concatenate([axis.locate(plan_outline(unit.shape))[1] for unit, _ in crest])
-    middle = (float(across.min()) + float(across.max())) / 2
-    same = [(top, sd, before[unit.unit_id]) for (unit, top), sd in zip(crest, sds, strict=True) if unit.unit_id in before]
-    return {
-        "geometry": np.append(plane.place + middle * plane.left, tops.mean()),
-        "units": len(crest),
-        "crest_height": float(tops.mean()),
-        "crest_highest": float(tops.max()),
-        "crest_width": float(across.max() - across.min()),
-        "sd": float(np.sqrt(np.sum(sds**2)) / len(sds)),
-        "change": float(np.mean([top - earlier for top, _, (earlier, _) in same])) if same else None,
-        "sd_change": math.sqrt(sum(sd**2 + sd_before**2 for _, sd, (_, sd_before) in same)) / len(same) if same else None,
-    }
 
 
 def _point_lines(points: FloatArray, plane: CutPlane, low: float, high: float) -> list[FloatArray]:

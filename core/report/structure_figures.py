@@ -75,7 +75,7 @@ def crest_chart(found: Profiles, pair: EpochPair, _: Translate) -> str:
         own = [row for row in found.crest if row["epoch"] == label]
         along = np.array([row["along"] for row in own])
         height = np.array([row["crest_height"] for row in own])
-        half = Z_95 * np.array([row["sd"] for row in own])
+        half = Z_95 * np.array([row["sd"] for row in own], dtype=np.float64)
         axes.fill_between(along, height - half, height + half, color=colour, alpha=0.15, linewidth=0)
         axes.plot(along, height, style, color=colour, markersize=3, linewidth=1.1, label=label)
     axes.set_xlabel(_("chainage along the axis (m)"), fontsize=8)

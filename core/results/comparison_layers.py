@@ -95,9 +95,9 @@ SECTION_LAYERS = (
             Field("crest_height", "real", "mean height of their tops", "m"),
             Field("crest_highest", "real", "highest top", "m"),
             Field("crest_width", "real", "width of their outlines across the axis", "m"),
-            Field("sd", "real", "standard deviation of the mean height", "m"),
+            Field("sd", "real", "standard deviation of the mean height, the frame's error included", "m"),
             Field("change", "real", "crest height less that of the epoch before, of the units that are the crest's in both", "m"),
-            Field("sd_change", "real", "standard deviation of the change", "m"),
+            Field("sd_change", "real", "standard deviation of the change, the frames' error included", "m"),
         ),
     ),
     Layer(

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import shutil
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import geopandas
@@ -19,9 +23,12 @@ from tetratrack.core.common.axis import Axis
 from tetratrack.core.common.centreline import ARM_HEIGHTS, centreline
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.model.outline import reach
+from tetratrack.core.results.geopackage_reader import encode_geometry, read_layer_rows
 
 TOP = 10.0
 SETTLED = -0.12
+FRAME_SD, OWN_SD = 0.005, 0.002
+"""Of heights, metres: what all units of an epoch have in common, and what each has besides."""
 AXIS = np.array([[200_000.0, 550_000.0], [200_100.0, 550_000.0]])
 
 
@@ -38,7 +45,16 @@ def crest(tmp_path_factory: pytest.TempPathFactory) -> Path:
             units.append(SyntheticUnit(f"U{row:02d}{k:03d}", "stable", np.array([place, later]), turn))
     write_result(path, epochs=2, units=units)
     write_points(path, units, epochs=2)
+    state_registration(path, FRAME_SD)
     return path
+
+
+def state_registration(path: Path, sd: float) -> None:
+    """State a registration whose height is known to ``sd`` metres everywhere, and heights of units with 2 mm of their own."""
+    record = {"origin_to": [*AXIS[0], TOP], "covariance": np.diag([sd**2] * 3 + [0.0] * 4).tolist()}
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE epochs SET transformation = ?", (json.dumps(record),))
+        connection.execute("UPDATE units SET sd_h = ?", (float(np.hypot(sd, OWN_SD)),))
 
 
 @pytest.fixture(scope="module")
@@ -133,7 +149,50 @@ def test_crest_height_width_and_change_are_those_of_the_construction(crest: Path
     assert early[0]["change"] is None
     assert late[0]["change"] == pytest.approx(0.0, abs=1e-3)
     assert late[-1]["change"] == pytest.approx(SETTLED, abs=1e-3)
-    assert late[0]["sd_change"] == pytest.approx(0.003 * np.sqrt(2 / late[0]["units"]), rel=0.01)
+    # what is common to all units of a crest does not become less with their number
+    assert [row["sd"] for row in early] == pytest.approx([np.hypot(FRAME_SD, OWN_SD / np.sqrt(row["units"])) for row in early], rel=1e-6)
+    assert late[0]["sd_change"] == pytest.approx(np.hypot(FRAME_SD * np.sqrt(2), OWN_SD * np.sqrt(2 / late[0]["units"])), rel=1e-6)
+
+
+def test_what_both_frames_share_is_not_in_the_change_of_the_crest(crest: Path, tmp_path: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    shutil.copy(crest, path)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE displacements_other SET sd_h = 0.003")
+    before, after = profiles(path, axis=AXIS, step=6.0).crest[:2]
+    assert before["sd"] == pytest.approx(np.hypot(FRAME_SD, OWN_SD / np.sqrt(before["units"])), rel=1e-6)
+    assert after["sd_change"] == pytest.approx(np.hypot(0.003, OWN_SD * np.sqrt(2 / after["units"])), rel=1e-6)
+
+
+def test_bent_frame_takes_the_place_of_the_registration_in_the_crest(crest: Path, tmp_path: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    shutil.copy(crest, path)
+    own = [row for row in read_layer_rows(path, "units") if row["geom"] is not None]
+    with closing(sqlite3.connect(path)) as connection, connection:
+        for place in (own[0]["geom"], own[-1]["geom"]):
+            connection.execute(
+                "INSERT INTO frame_errors (epoch, known_by, along, sd_h, geom) VALUES (?, 'targets', 0, 0.004, ?)",
+                (own[0]["epoch"], encode_geometry(SRS, "PointZ", place)),
+            )
+        connection.execute("UPDATE units SET sd_h = 0.005")
+    first = profiles(path, axis=AXIS, step=6.0).crest[0]
+    assert first["sd"] == pytest.approx(np.hypot(0.004, 0.003 / np.sqrt(first["units"])), rel=1e-6)
+
+
+def test_units_that_were_not_adjusted_count_for_the_crest_where_nothing_else_does(crest: Path, tmp_path: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    shutil.copy(crest, path)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE units SET sd_h = NULL WHERE unit_id LIKE 'U00%'")
+    whole, found = profiles(crest, axis=AXIS, step=6.0).crest, profiles(path, axis=AXIS, step=6.0).crest
+    assert found[0]["units"] == whole[0]["units"] * 3 // 4
+    assert found[0]["sd"] == pytest.approx(np.hypot(FRAME_SD, OWN_SD / np.sqrt(found[0]["units"])), rel=1e-6)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE units SET sd_h = NULL")
+    unknown = profiles(path, axis=AXIS, step=6.0).crest
+    assert [row["crest_height"] for row in unknown] == [row["crest_height"] for row in whole]
+    assert {row["sd"] for row in unknown} == {None}
+    assert unknown[1]["sd_change"] is None
 
 
 def test_sections_hold_blocks_points_and_design_of_every_epoch(crest: Path, tmp_path: Path) -> None:
