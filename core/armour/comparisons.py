@@ -231,7 +231,7 @@ def profiles(
         epochs=epochs,
         sections=section_rows(models, line, planes, _by_section(clouds, epochs, planes), surface),
         crest=crest_rows(models, line, planes, distance, _crest_errors(result, epochs)),
-        settlement=settlement_rows(read_layer_rows(result, "stretches"), line, line if axis is None else _axis(None, models), places),
+        settlement=settlement_rows(read_layer_rows(result, "stretches"), line, float(places[:, 2].max())),
     )
 
 

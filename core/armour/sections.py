@@ -131,16 +131,15 @@ def section_rows(
     return rows
 
 
-def settlement_rows(stretches: Sequence[Row], axis: Axis, centreline: Axis, places: FloatArray) -> list[dict[str, Any]]:
-    """Rows of ``settlement`` from those of ``stretches``: each drawn as the part of the axis beside the chainage that it covers.
+def settlement_rows(stretches: Sequence[Row], axis: Axis, level: float) -> list[dict[str, Any]]:
+    """Rows of ``settlement`` from those of ``stretches``: each drawn at a height (metres) as the part of the axis about its units.
 
-    The run counts chainage along the ``centreline`` of the units at ``places`` (n, 3), whatever axis is given.
+    Each pair of epochs counts chainage from the first of its own units, which a result does not name: the middle of its units is known.
     """
-    start, level = float(centreline.locate(places)[0].min()), float(places[:, 2].max())
     rows = []
     for row in stretches:
-        covered = np.array([centreline.frame(start + float(row[name]))[0] for name in ("along_from", "along_to")])
-        ends = [axis.frame(along)[0] for along in axis.locate(covered)[0]]
+        middle, half_length = float(axis.locate(row["geom"][None])[0][0]), (float(row["along_to"]) - float(row["along_from"])) / 2
+        ends = [axis.frame(middle + sign * half_length)[0] for sign in (-1, 1)]
         half = Z_95 * float(row["sd_h"])
         names = ("epoch_from", "epoch_to", "datum", "along_from", "along_to", "units", "dh", "significant")
         rows.append(

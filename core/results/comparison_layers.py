@@ -108,7 +108,7 @@ SECTION_LAYERS = (
             Field("epoch_from", "text", "label of the earlier epoch"),
             Field("epoch_to", "text", "label of the later epoch"),
             Field("datum", "text", "stable or control, as in the result"),
-            Field("along_from", "real", "beginning of the stretch", "m"),
+            Field("along_from", "real", "beginning of the stretch, as in the result: from the first unit of its pair of epochs", "m"),
             Field("along_to", "real", "end of the stretch", "m"),
             Field("units", "integer", "units that were averaged"),
             Field("dh", "real", "common height change, positive up", "m"),

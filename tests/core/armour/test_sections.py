@@ -22,6 +22,7 @@ from tetratrack.core.armour.sections import CutPlane, cut_body, settlement_rows
 from tetratrack.core.common.axis import Axis
 from tetratrack.core.common.centreline import ARM_HEIGHTS, centreline
 from tetratrack.core.common.errors import InputError
+from tetratrack.core.deformation.stretches import stretches_of
 from tetratrack.core.model.outline import reach
 from tetratrack.core.results.geopackage_reader import encode_geometry, read_layer_rows
 
@@ -88,20 +89,43 @@ def test_sections_of_a_harbour_cut_one_arm_each(harbour: tuple[Path, np.ndarray]
     assert set.union(*parts) == {"0", "1", "2"}
 
 
-def test_settlement_is_drawn_where_it_is_whichever_way_the_axis_is_given(harbour: tuple[Path, np.ndarray]) -> None:
-    path, (first, last) = harbour
+def test_settlement_is_drawn_at_its_units_whichever_way_the_axis_is_given(harbour: tuple[Path, np.ndarray]) -> None:
+    path, (first, _) = harbour
     line = AXIS[0] + np.array([[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]])
-    models = [read_as_built(path, None)]
-    places = np.array([unit.shape.centre for unit in models[0].units])
+    places = np.array([unit.shape.centre for unit in read_as_built(path, None).units])
+    middle = np.array([first[0] + 12.0, first[1], TOP])
     row = {"epoch_from": "a", "epoch_to": "b", "datum": "stable", "along_from": 0.0, "along_to": 20.0, "units": 9, "dh": -0.1, "sd_h": 0.01,
-           "significant": True}  # fmt: skip
-    own = centreline(places, ARM_HEIGHTS * HEIGHT)
-    start = own.frame(0.0)[0]
-    assert min(np.linalg.norm(start - first), np.linalg.norm(start - last)) < 5.0
-    for axis in (own, Axis(line), Axis(line[::-1])):
-        drawn = settlement_rows([row], axis, own, places)[0]["geometry"]
-        assert np.linalg.norm(drawn[0, :2] - start) < 6.0
+           "significant": True, "geom": middle}  # fmt: skip
+    for axis in (centreline(places, ARM_HEIGHTS * HEIGHT), Axis(line), Axis(line[::-1])):
+        drawn = settlement_rows([row], axis, TOP)[0]["geometry"]
+        assert np.linalg.norm(drawn.mean(axis=0) - middle) < 3.0
         assert np.linalg.norm(drawn[1] - drawn[0]) == pytest.approx(20.0, abs=2.0)
+
+
+def test_settlement_between_epochs_of_half_a_coast_is_drawn_on_that_half(tmp_path: Path) -> None:
+    """The first two epochs begin 30 m after the third: chainage of their stretches is counted from there."""
+    path = tmp_path / "result.gpkg"
+    far = [unit for unit in make_units(300, 3) if unit.fate == "stable"]
+    write_result(path, epochs=3, units=far)
+    along = np.array([unit.centres[0, :2] @ [np.cos(0.6), np.sin(0.6)] for unit in far])
+    along = along - along.min()
+    early = [unit for unit, a in zip(far, along, strict=True) if a > 30.0]
+    gone = [unit.unit_id for unit, a in zip(far, along, strict=True) if a <= 30.0]
+    places = np.array([unit.centres[0] for unit in early])
+    stretches, chainage, length = stretches_of(places, HEIGHT)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        for label in ("2023-04-09", "2024-04-09"):
+            connection.executemany("DELETE FROM units WHERE epoch = ? AND unit_id = ?", [(label, name) for name in gone])
+        for k, own in enumerate(stretches):
+            connection.execute(
+                "INSERT INTO stretches (epoch_from, epoch_to, datum, along_from, along_to, units, dh, sd_h, geom) "
+                "VALUES ('2023-04-09', '2024-04-09', 'stable', ?, ?, ?, -0.1, 0.01, ?)",
+                (0.5 * k * length, (0.5 * k + 1) * length, len(own), encode_geometry(SRS, "PointZ", places[own].mean(axis=0))),
+            )
+    found = profiles(path)
+    for row, own in zip(found.settlement, stretches, strict=True):
+        assert np.linalg.norm(row["geometry"].mean(axis=0)[:2] - places[own].mean(axis=0)[:2]) < 3.0
+        assert row["along_from"] <= chainage[own].min() + 1e-6
 
 
 def test_curves_of_a_cut_lie_on_the_body_and_in_the_plane() -> None:
