@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
+from scipy.special import chdtri
 
 from ..common.arrays import FloatArray
 from ..common.kernels import in_parts, kernel
@@ -30,8 +31,10 @@ LEAST_RADIUS_RATIO = 0.055
 """Radius, as a share of the height, within which a normal is taken where the noise is small."""
 BEND_RADIUS_RATIO = 0.14
 """Radius, as a share of the height, within which the sense of curvature is read."""
-NOISE_NEIGHBOURS = 25
-"""Points of a neighbourhood from which the noise is told."""
+NOISE_NEIGHBOURS = (25, 20, 16, 13)
+"""Points of a neighbourhood from which the noise is told: the most of which enough neighbourhoods stay on one leg."""
+LEAST_NEAR = 0.3
+"""Share of the neighbourhoods looked at that is enough."""
 NOTHING_LEFT = 1e-20
 """Share of a term's square that round-off leaves of one that others make up."""
 WIDE_IN_NOISE = 6.0
@@ -158,20 +161,29 @@ def surface_noise(points: FloatArray, height: float, *, tree: cKDTree | None = N
 def _noise_of(points: FloatArray, tree: cKDTree, height: float, workers: int) -> tuple[float, float]:
     """Standard deviation across the surface, from quadric fits to neighbourhoods that stay on one leg, and the median radius of these."""
     rng = np.random.default_rng(1)
-    chosen = rng.choice(len(points), min(len(points), 1500), replace=False)
-    count = min(NOISE_NEIGHBOURS, len(points))
-    if count < 12:
-        return 0.0, np.inf
-    distance, index = tree.query(points[np.sort(chosen)], k=count, workers=workers)
-    near = distance[:, -1] < 0.2 * height
-    if not near.any():
+    chosen = np.sort(rng.choice(len(points), min(len(points), 1500), replace=False))
+    for count in NOISE_NEIGHBOURS:
+        if count > len(points):
+            continue
+        distance, index = tree.query(points[chosen], k=count, workers=workers)
+        near = distance[:, -1] < 0.2 * height
+        # a few dense places of a sparse cloud speak of mixed pixels and growth as well as of concrete
+        if near.sum() >= LEAST_NEAR * len(chosen) or (count == NOISE_NEIGHBOURS[-1] and near.any()):
+            break
+    else:
         return 0.0, np.inf
     index = index[near]
     squares = np.empty(len(index))
     in_parts(partial(squares_off_quadrics, points=points, index=index, squares=squares), len(index))
-    variance = squares / (count - 6)
     # rough ground and edges only add: the lower half of the neighbourhoods speaks for smooth concrete
-    return float(np.sqrt(np.percentile(variance, SMOOTH_PERCENTILE))), float(np.median(distance[near, -1]))
+    variance = float(np.percentile(squares, SMOOTH_PERCENTILE)) / (count - 6) * _as_of_most(count)
+    return float(np.sqrt(variance)), float(np.median(distance[near, -1]))
+
+
+def _as_of_most(count: int) -> float:
+    """Factor of a low percentile of variances of so many neighbours that makes it that of the most: fewer scatter further down."""
+    least, most = (chdtri(n - 6, 1 - SMOOTH_PERCENTILE / 100) / (n - 6) for n in (count, NOISE_NEIGHBOURS[0]))
+    return float(most / least)
 
 
 @kernel(releases=True)

@@ -26,6 +26,13 @@ def test_noise_beyond_the_spacing_is_seen_whole(noise: float) -> None:
     assert found == pytest.approx(SMOOTH_SHARE * noise, rel=0.15)
 
 
+@pytest.mark.parametrize("density", [60, 100, 130, 200, 400])
+def test_noise_of_sparse_clouds_is_told_from_fewer_neighbours(density: float) -> None:
+    """Hardly a point of them has 25 neighbours within 0.2 H: noise was 0 or three times too large by chance. Wide cells bend a little."""
+    found = [surface_noise(cylinders(density, 0.009, seed), HEIGHT) / HEIGHT / SMOOTH_SHARE for seed in range(4)]
+    assert found == pytest.approx(np.full(4, 1.15 * 0.009), rel=0.2)
+
+
 @pytest.mark.parametrize(("density", "noise"), [(4000, 0.007), (400, 0.013), (200, 0.01)])
 def test_quality_of_a_cloud(density: float, noise: float) -> None:
     quality = cloud_quality(cylinders(density, noise), HEIGHT)
