@@ -15,7 +15,7 @@ from qgis.core import (
 )
 
 from .base import TetratrackAlgorithm, Texts
-from .support.inputs import TILES, TilesParameter, tile_paths
+from .support.inputs import TILES, TilesParameter, crs_text, tile_paths
 from .support.translation import tr
 
 
@@ -78,7 +78,7 @@ class NewSurvey(TetratrackAlgorithm):
         arguments = ["init", *([folder] if folder else []), *self.tiles, "--output", target]
         crs = self.parameterAsCrs(parameters, self.CRS, context)
         if crs.isValid():
-            arguments += ["--crs", crs.authid() or crs.toWkt()]
+            arguments += ["--crs", crs_text(crs)]
         if parameters.get(self.HEIGHT) is not None:
             arguments += ["--height", repr(self.parameterAsDouble(parameters, self.HEIGHT, context))]
         return {} if self.run_engine(arguments, feedback) is None else {self.OUTPUT: target}

@@ -40,6 +40,7 @@ from .support.inputs import (
     check_pair,
     check_unit,
     crs_text,
+    epoch_time,
     ring_of,
     tile_paths,
     tiles_override,
@@ -121,8 +122,8 @@ class SurveyAlgorithm(TetratrackAlgorithm):
         """Time of the epoch, ISO 8601 in UTC."""
         given = self.parameterAsDateTime(parameters, TIME, context)
         if given.isValid():
-            # the parameter is stated in UTC, whatever time spec the widget gave it
-            return given.toString(Qt.DateFormat.ISODate).split("+")[0].rstrip("Z") + "Z"
+            # a time without zone is stated in UTC, though QGIS and its widget take it for local: as text it has no offset then
+            return epoch_time(given.toString(Qt.DateFormat.ISODateWithMs))
         return creation_date(Path(self.tiles[0])).strftime("%Y-%m-%dT%H:%M:%SZ")
 
     def point_files(

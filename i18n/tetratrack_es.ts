@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: {path} is not a virtual point cloud.</source>
-      <translation>{where}: {path} no es una nube de puntos virtual.</translation>
+      <source>{layer} cannot be transformed to the CRS of the results: {reason}.</source>
+      <translation>{layer} no se puede transformar al SRC de los resultados: {reason}.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />

@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: {path} is not a virtual point cloud.</source>
-      <translation>{where} : {path} n'est pas un nuage de points virtuel.</translation>
+      <source>{layer} cannot be transformed to the CRS of the results: {reason}.</source>
+      <translation>{layer} ne peut pas être transformé dans le SCR des résultats : {reason}.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />

@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: {path} is not a virtual point cloud.</source>
-      <translation>{where}:{path} は仮想点群ではありません。</translation>
+      <source>{layer} cannot be transformed to the CRS of the results: {reason}.</source>
+      <translation>{layer} を結果の座標系に変換できません: {reason}。</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />

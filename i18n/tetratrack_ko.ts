@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: {path} is not a virtual point cloud.</source>
-      <translation>{where}: {path}은(는) 가상 점군이 아닙니다.</translation>
+      <source>{layer} cannot be transformed to the CRS of the results: {reason}.</source>
+      <translation>{layer}을(를) 결과의 좌표계로 변환할 수 없습니다: {reason}.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />

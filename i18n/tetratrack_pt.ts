@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: {path} is not a virtual point cloud.</source>
-      <translation>{where}: {path} não é uma nuvem de pontos virtual.</translation>
+      <source>{layer} cannot be transformed to the CRS of the results: {reason}.</source>
+      <translation>{layer} não pode ser transformado para o SRC dos resultados: {reason}.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />

@@ -2045,8 +2045,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>{where}: {path} is not a virtual point cloud.</source>
-      <translation>{where}:{path} 不是虚拟点云。</translation>
+      <source>{layer} cannot be transformed to the CRS of the results: {reason}.</source>
+      <translation>{layer} 无法转换到结果的坐标系：{reason}。</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />

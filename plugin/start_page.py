@@ -201,7 +201,8 @@ class StartPage(QScrollArea):
         try:
             survey.parent.mkdir(exist_ok=True)
             survey.unlink(missing_ok=True)
-            rows = files_of_layers(self.epochs.rows(), survey.parent)
+            rows = self.epochs.rows()
+            rows = files_of_layers(rows, survey.parent, self.crs.crs() if self.crs.crs().isValid() else declared_crs(rows))
         except (OSError, QgsProcessingException) as error:
             self.say(str(error), bad=True)
             return
@@ -259,7 +260,7 @@ def open_map(rows: list[EpochRow]) -> None:
     project = QgsProject.instance()
     if project.mapLayers() or project.isDirty():
         return
-    crs = QgsCoordinateReferenceSystem(rows[0].crs.split(", ")[0]) if rows else QgsCoordinateReferenceSystem()
+    crs = declared_crs(rows)
     if iface is not None:
         iface.newProject()
     if crs.isValid():
@@ -308,7 +309,7 @@ class Footprints:
             self.canvas.refresh()
 
     def _boxes(self, row: EpochRow) -> list[QgsRectangle]:
-        crs = QgsCoordinateReferenceSystem(row.crs.split(", ")[0])
+        crs = declared_crs([row])
         project = QgsProject.instance()
         transform = QgsCoordinateTransform(crs, self.canvas.mapSettings().destinationCrs(), project)
         boxes = [QgsRectangle(*extent) for extent in row.footprint]
@@ -320,8 +321,14 @@ class Footprints:
             return []
 
 
-def files_of_layers(rows: list[EpochRow], folder: Path) -> list[EpochRow]:
-    """Rows with layers written as tables into a folder, for the engine to read.
+def declared_crs(rows: list[EpochRow]) -> QgsCoordinateReferenceSystem:
+    """CRS that most tiles declare, in which the results will be where none is chosen; invalid where none declares any."""
+    declared = [row.crs.split(", ")[0] for row in rows if row.crs for _ in row.tiles]
+    return QgsCoordinateReferenceSystem(max(sorted(set(declared)), key=declared.count, default=""))
+
+
+def files_of_layers(rows: list[EpochRow], folder: Path, crs: QgsCoordinateReferenceSystem) -> list[EpochRow]:
+    """Rows with layers written as tables into a folder, for the engine to read, in the CRS of the results.
 
     Raises
     ------
@@ -335,7 +342,8 @@ def files_of_layers(rows: list[EpochRow], folder: Path) -> list[EpochRow]:
         for key, columns, defaults in FILE_COLUMNS:
             layer = project.mapLayer(files.get(key, ""))
             if isinstance(layer, QgsVectorLayer):
-                frame = QgsCoordinateReferenceSystem() if key == "targets" else layer.crs()
+                # targets stand in the frame of the cloud: a change of CRS would be wrong for them
+                frame = QgsCoordinateReferenceSystem() if key == "targets" else crs
                 files[key] = str(write_points(layer, columns, folder / f"{key}_{place}.csv", frame, context, defaults))
         out.append(replace(row, files=files))
     return out

@@ -16,6 +16,8 @@ from qgis.core import (
     Qgis,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
+    QgsCsException,
+    QgsFeature,
     QgsFeatureRequest,
     QgsGeometry,
     QgsMapLayer,
@@ -32,8 +34,11 @@ from qgis.core import (
     QgsProcessingParameterString,
     QgsProject,
     QgsVectorFileWriter,
+    QgsWkbTypes,
 )
 
+from ...core.common.errors import InputError
+from ...core.data.virtual_clouds import tiles_of
 from ..base import TetratrackAlgorithm
 from .translation import tr
 from .wording import Wording
@@ -59,6 +64,8 @@ FRAMES = ("auto", "rigid", "elastic")
 UNIT_HINTS = tuple(f"tetrapod {mass} t" for mass in ("0.5", 1, 2, "3.2", 4, 5, "6.3", 8, 10, "12.5", 16, 20, 25, 32, 40, 50, 64, 80))
 """Catalogue names offered; any other mass may be typed. A test compares them with the engine's catalogue."""
 LOCAL = "LOCAL"
+OWN_AUTHORITIES = ("USER", "QGIS", "CUSTOM")
+"""Under these QGIS numbers CRS that only itself knows, such as those of the user."""
 CONTROL_COLUMNS = ("point_id", "easting", "northing", "height", "sd_e", "sd_n", "sd_h")
 TARGET_COLUMNS = ("point_id", "x", "y", "z")
 CHECK_COLUMNS = ("point_id", "unit_easting", "unit_northing", "unit_height", "easting", "northing", "height", "sd")
@@ -453,13 +460,9 @@ def _project_layer(text: str, context: QgsProcessingContext) -> QgsMapLayer | No
 
 def _virtual_point_cloud(path: Path, where: str) -> list[str]:
     try:
-        features = json.loads(path.read_text(encoding="utf-8"))["features"]
-        links = [
-            asset["href"] for feature in features for asset in feature["assets"].values() if "overview" not in (asset.get("roles") or ())
-        ]
-    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-        raise QgsProcessingException(tr("{where}: {path} is not a virtual point cloud.").format(where=where, path=path)) from error
-    return [str((path.parent / link).resolve()) for link in links]
+        return [str(tile.resolve()) for tile in tiles_of(path)]
+    except InputError as error:
+        raise QgsProcessingException(f"{where}: {error}") from error
 
 
 def unit_values(algorithm: TetratrackAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext) -> dict[str, Any]:
@@ -519,7 +522,8 @@ def crs_text(crs: QgsCoordinateReferenceSystem) -> str:
     """CRS as survey.toml names it."""
     if not crs.isValid():
         return ""
-    return crs.authid() or crs.toWkt(Qgis.CrsWktVariant.Preferred)
+    authority = crs.authid().partition(":")[0].upper()
+    return crs.toWkt(Qgis.CrsWktVariant.Preferred) if authority in ("", *OWN_AUTHORITIES) else crs.authid()
 
 
 def ring_of(
@@ -562,17 +566,23 @@ def write_points(
 ) -> Path:
     """Write a point layer or CSV table as the engine's CSV.
 
-    Columns are taken by name; the three coordinates of the position come from the geometry where the columns are missing, in the
-    survey's CRS. A text such as ``1.2x`` is passed on as it is, for the engine to name its line.
+    Columns are taken by name. Where easting or northing is missing, both come from the geometry, in the survey's CRS, and so does a
+    height that is missing. A text such as ``1.2x`` is passed on as it is, for the engine to name its line.
+
+    Raises
+    ------
+    QgsProcessingException
+        A field is missing, also a height where the geometry has none, or a place cannot be transformed.
     """
     names = [field.name() for field in source.fields()]
     lookup = {name.lower(): name for name in names}
     columns = list(columns)
     position = [c for c in ("easting", "northing", "height", "x", "y", "z") if c in columns]
-    from_geometry = not all(c in lookup for c in position)
-    missing = [
-        c for c in columns if c not in lookup and c not in defaults and not (c in position and source.wkbType() != Qgis.WkbType.NoGeometry)
-    ]
+    kind = source.wkbType()
+    drawn = [] if kind == Qgis.WkbType.NoGeometry else position if QgsWkbTypes.hasZ(kind) else position[:2]
+    plane = position[:2] if not all(c in lookup for c in position[:2]) else []
+    from_geometry = [c for c in drawn if c in plane or c not in lookup]
+    missing = [c for c in columns if c not in lookup and c not in defaults and c not in drawn]
     if missing:
         raise QgsProcessingException(
             tr("{layer} has no field {fields}; it has {present}.").format(
@@ -588,12 +598,22 @@ def write_points(
         for feature in source.getFeatures():
             row = {c: feature.attribute(lookup[c]) if c in lookup else defaults.get(c, "") for c in columns}
             if from_geometry:
-                geometry = feature.geometry()
-                geometry.transform(transform)
-                vertex = geometry.vertexAt(0)
-                row |= dict(zip(position, (vertex.x(), vertex.y(), vertex.z())))
+                row |= {c: value for c, value in zip(position, _place(source, feature, transform)) if c in from_geometry}
             writer.writerow([_cell(row[c]) for c in columns])
     return path
+
+
+def _place(source: QgsProcessingFeatureSource, feature: QgsFeature, transform: QgsCoordinateTransform) -> tuple[float, float, float]:
+    """First vertex of a feature."""
+    geometry = feature.geometry()
+    try:
+        geometry.transform(transform)
+    except QgsCsException as error:
+        raise QgsProcessingException(
+            tr("{layer} cannot be transformed to the CRS of the results: {reason}.").format(layer=source.sourceName(), reason=error)
+        ) from error
+    vertex = geometry.vertexAt(0)
+    return vertex.x(), vertex.y(), vertex.z()
 
 
 def _cell(value: Any) -> str:

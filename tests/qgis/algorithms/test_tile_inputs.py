@@ -44,3 +44,17 @@ def test_a_year_beyond_reason_is_no_creation_date(tmp_path: Path, year: int) -> 
     assert abs(creation_date(tile).timestamp() - tile.stat().st_mtime) < 1
     tile.write_bytes(b"LASF".ljust(90, b"\0") + struct.pack("<HH", 366, 2024))
     assert creation_date(tile) == datetime(2024, 12, 31, tzinfo=UTC)
+
+
+def test_links_of_a_virtual_point_cloud_are_those_that_the_engine_follows(folder: Path) -> None:
+    tile = folder / "tiles" / "a b#1.laz"
+    tile.write_bytes(b"")
+    cloud = folder / "linked.vpc"
+    cloud.write_text(json.dumps({"features": [{"assets": {"data": {"href": tile.as_uri()}}}]}))
+    assert tile_paths(str(cloud), QgsProcessingContext(), "Tiles") == [str(tile.resolve())]
+    cloud.write_text(json.dumps({"features": [{"assets": {"data": {"href": "tiles/gone.laz"}}}]}))
+    with pytest.raises(QgsProcessingException, match=r"Tiles: .*names the tile tiles/gone\.laz, which is not there"):
+        _names(str(cloud))
+    cloud.write_text("no cloud")
+    with pytest.raises(QgsProcessingException, match="is not a virtual point cloud"):
+        _names(str(cloud))
