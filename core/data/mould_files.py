@@ -14,7 +14,7 @@ from ..common.errors import InputError
 from ..common.paths import sqlite_address
 from ..common.sqlite_files import recover
 from ..model.mould import Mould
-from ..model.unit_types import UnitType
+from ..model.unit_types import UnitType, sized_name
 from .file_patterns import existing_path
 
 ENDINGS = (".mould.json", ".json", ".gpkg")
@@ -42,7 +42,7 @@ def moulded(unit: UnitType, values: Mapping[str, Any], folder: Path) -> tuple[Un
     """
     if values["calibrate"]:
         raise InputError("it is given with calibrate = true", remedy="A mould is held: leave one of them out.")
-    mould, path = find_mould(values["mould"], folder, unit.name)
+    mould, path = find_mould(values["mould"], folder, unit)
     given = {name: values[name] for name in ("radius", "gradient", "leg_length") if values[name] is not None}
     try:
         return replace(mould.shaped(unit), **given), mould, path
@@ -50,7 +50,7 @@ def moulded(unit: UnitType, values: Mapping[str, Any], folder: Path) -> tuple[Un
         raise InputError(str(error), source=path, remedy=REMEDY) from error
 
 
-def find_mould(named: str, folder: Path, unit_name: str) -> tuple[Mould, Path]:
+def find_mould(named: str, folder: Path, unit: UnitType) -> tuple[Mould, Path]:
     """The mould of a name, which is a file or one beside survey.toml less its ending, and its file.
 
     Parameters
@@ -59,8 +59,8 @@ def find_mould(named: str, folder: Path, unit_name: str) -> tuple[Mould, Path]:
         As in survey.toml.
     folder
         Of survey.toml.
-    unit_name
-        Type of unit, by which a result may hold several moulds.
+    unit
+        Its type: a result may hold the moulds of several.
 
     Raises
     ------
@@ -70,14 +70,14 @@ def find_mould(named: str, folder: Path, unit_name: str) -> tuple[Mould, Path]:
     for ending in ("", *ENDINGS):
         path = existing_path(folder, named + ending)
         if path.is_file():
-            return read_mould(path, unit_name), path
+            return read_mould(path, unit), path
     raise InputError(
         f"there is no mould {named}",
         remedy=f"Looked in {folder} for a file of that name, with the ending {', '.join(ENDINGS[:-1])} or {ENDINGS[-1]} too.",
     )
 
 
-def read_mould(path: Path, unit_name: str) -> Mould:
+def read_mould(path: Path, unit: UnitType) -> Mould:
     """The mould in a result (.gpkg), or in a file of its own.
 
     Raises
@@ -85,7 +85,7 @@ def read_mould(path: Path, unit_name: str) -> Mould:
     InputError
         The file holds none.
     """
-    record = _of_result(path, unit_name) if path.suffix.lower() == ".gpkg" else _of_file(path)
+    record = _of_result(path, unit) if path.suffix.lower() == ".gpkg" else _of_file(path)
     if record is None:
         raise InputError("holds no mould", source=path, remedy=REMEDY)
     try:
@@ -104,7 +104,7 @@ def _of_file(path: Path) -> Mapping[str, Any] | None:
     return record if isinstance(record, dict) else None
 
 
-def _of_result(path: Path, unit_name: str) -> Mapping[str, Any] | None:
+def _of_result(path: Path, unit: UnitType) -> Mapping[str, Any] | None:
     recover(path)
     try:
         with closing(sqlite3.connect(sqlite_address(path.absolute(), "mode=ro"), uri=True)) as connection:
@@ -114,5 +114,6 @@ def _of_result(path: Path, unit_name: str) -> Mapping[str, Any] | None:
         raise InputError(f"cannot be read as a result ({error})", source=path, remedy=REMEDY) from error
     if not isinstance(castings, dict):
         return None
-    record = castings.get(unit_name) or (next(iter(castings.values())) if len(castings) == 1 else None)
+    own = castings.get(unit.name) or castings.get(sized_name(unit))
+    record = own or (next(iter(castings.values())) if len(castings) == 1 else None)
     return record if isinstance(record, dict) else None

@@ -6,13 +6,14 @@ import difflib
 import re
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 from ..common.errors import InputError
 from ..common.input_files import content_of
+from ..model.unit_types import told_apart
 from .crs import LOCAL, check_survey_crs
 from .file_patterns import MAGIC, BrokenLink, existing_path, matching_files
 from .mould_files import moulded
@@ -102,13 +103,14 @@ class _Reader:
             if section not in REQUIRED and section not in optional
         }
         self._check_grades(optional["displacement"])
-        units = tuple(self._unit(index, values) for index, values in enumerate(checked["unit"]))
+        units = [self._unit(index, values) for index, values in enumerate(checked["unit"])]
+        types = told_apart([unit.type for unit in units])
         return Survey(
             path=self.source,
             name=head["name"],
             crs=head["crs"],
             description=head["description"],
-            units=units,
+            units=tuple(replace(unit, type=kind) for unit, kind in zip(units, types, strict=True)),
             moulds=tuple(self.moulds),
             epochs=tuple(sorted(epochs, key=lambda epoch: epoch.time)),
             sections=optional,

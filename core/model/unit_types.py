@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property, lru_cache
 from itertools import permutations
@@ -188,6 +190,29 @@ def catalogue_unit(name: str) -> UnitType | None:
     if match is None or float(match[1]) <= 0:
         return None
     return UnitType.tetrapod(height_of_mass(float(match[1])), name=" ".join(name.split()))
+
+
+def sized_name(unit: UnitType) -> str:
+    """Name of a type among others of its name: with its height, as in "tetrapod 2.3 m"."""
+    return f"{unit.name} {unit.height:g} m"
+
+
+def told_apart(units: Sequence[UnitType]) -> tuple[UnitType, ...]:
+    """The types of a survey with a name each, by which results tell them apart.
+
+    Of several of one name each gets its height into it (:func:`sized_name`), and of those of one height too all but the first a number.
+    """
+    often = Counter(unit.name for unit in units)
+    sized: Counter[str] = Counter()
+    named = []
+    for unit in units:
+        name = unit.name
+        if often[name] > 1:
+            name = sized_name(unit)
+            sized[name] += 1
+            name = name if sized[name] == 1 else f"{name} ({sized[name]})"
+        named.append(replace(unit, name=name))
+    return tuple(named)
 
 
 @lru_cache(maxsize=None)

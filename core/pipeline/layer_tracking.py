@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from datetime import datetime
 from pathlib import Path
 from typing import Any, cast, get_args
@@ -26,10 +27,11 @@ from ..deformation.tracked_epoch import TrackedEpoch
 from ..deformation.tracking import Tracking, track
 from ..deformation.unit_clouds import UnitCloud
 from ..model.pose import Pose
-from ..model.unit_types import UnitType
+from ..model.unit_types import UnitType, told_apart
 from ..registration.transformation import Transformation
 from ..results.field_checks import foreign_contents
 from ..results.geopackage_writer import check_output, from_upper_triangle, write_result
+from ..results.unit_sizes import size_of
 from ..segmentation.leg_ends import LegEnds
 from .displacement_table import TableOptions, displacement_rows, pair_rows, unit_names, unit_tables, velocity_rows
 from .epoch_alignment import PlacedUnits, tie_by_units
@@ -38,11 +40,14 @@ from .frame_table import frame_error_rows, frame_settings, stretch_rows
 from .gap_table import gap_rows
 from .registered_layers import RegisteredEpoch, read_registered
 from .stated_frames import StatedFrame, is_registered, stated_frames
-from .unit_input import crs_of_layer, read_units
+from .unit_input import SAME_HEIGHT, crs_of_layer, read_units, stated_sizes
 
 FROM_FIT = ("legs_visible", "coverage", "score", "sigma0", "n_points", "distance_median", "supported")
 """Fields of ``units`` that tracking takes over."""
 NOT_FITTED = "Give a result of tetratrack fit."
+
+_Kind = tuple[str, float]
+"""Type of unit in a layer: its name there, and the least height of its units in metres."""
 
 
 def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback: Feedback, frame: str = "auto") -> dict[str, Any]:
@@ -77,9 +82,8 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
     crs = crs_of_layer(units)
     check_output(output, crs)
     with foreign_contents(units):
-        epochs, fits, kinds, origin = _fitted_epochs(units, registrations, feedback)
+        epochs, fits, types, origin = _fitted_epochs(units, registrations, feedback)
     labels = [epoch.label for epoch in epochs]
-    types = list(kinds.values())
     epochs = _aligned(epochs, types, origin, units, feedback)
     result = track(epochs, types, frame=choice)
     names = unit_names(len(result.units))
@@ -98,7 +102,7 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
     gaps = gap_rows(unit_rows, [(epoch.label, epoch.time) for epoch in epochs], types)
     state_quality(unit_rows, types, labels, feedback)
     tables = {
-        "epochs": _epoch_rows(result, epochs, origin),
+        "epochs": _epoch_rows(result, epochs, types, origin),
         "units": unit_rows,
         "gaps": gaps,
         "feature_points": points,
@@ -118,13 +122,14 @@ def run_track(units: Path, registrations: Sequence[Path], output: Path, feedback
     }
 
 
-def _epoch_rows(result: Tracking, epochs: Sequence[TrackedEpoch], origin: FloatArray) -> list[dict[str, Any]]:
-    """Rows of layer ``epochs``: what the steps after this one must know of the frames."""
+def _epoch_rows(result: Tracking, epochs: Sequence[TrackedEpoch], types: Sequence[UnitType], origin: FloatArray) -> list[dict[str, Any]]:
+    """Rows of layer ``epochs``: what the steps after this one must know of the frames and of the types of unit."""
+    kinds = [asdict(unit) for unit in types]
     rows = []
     for k, epoch in enumerate(epochs):
         known = epoch.registration
         record = None if known is None else json.dumps(replace(known, origin_to=known.origin_to + origin).as_record())
-        settings = {"step": "track", "redundancy": epoch.redundancy, "frame": frame_settings(result, k)}
+        settings = {"step": "track", "redundancy": epoch.redundancy, "frame": frame_settings(result, k), "unit_types": kinds}
         rows.append(
             {
                 "label": epoch.label, "time": epoch.time, "transformation": record, "datum": epoch.datum,
@@ -137,8 +142,8 @@ def _epoch_rows(result: Tracking, epochs: Sequence[TrackedEpoch], origin: FloatA
 
 def _fitted_epochs(
     units: Path, registrations: Sequence[Path], feedback: Feedback
-) -> tuple[list[TrackedEpoch], dict[str, list[dict[str, Any]]], dict[str, UnitType], FloatArray]:
-    """Epochs in the order of time, rows of each by its label, types of unit by name, and the (3,) origin of the reduced frame."""
+) -> tuple[list[TrackedEpoch], dict[str, list[dict[str, Any]]], tuple[UnitType, ...], FloatArray]:
+    """Epochs in the order of time, rows of each by its label, types of unit, and the (3,) origin of the reduced frame."""
     rows = [row for row in read_units(units) if row["geometry"] is not None]
     labels = sorted({str(row["epoch"]) for row in rows}, key=lambda label: _time_of(rows, label, units))
     if len(labels) < 2:
@@ -152,7 +157,7 @@ def _fitted_epochs(
     for label in labels:
         found = [_as_found(row, frames.get(label), label in kept, units) for row in fits[label]]
         epochs.append(_fitted_epoch(label, fits[label], found, registered.get(label), kinds, origin, units))
-    return [_tied(epoch, registered, labels) for epoch in epochs], fits, kinds, origin
+    return [_tied(epoch, registered, labels) for epoch in epochs], fits, tuple(kinds.values()), origin
 
 
 def _registered(
@@ -268,17 +273,38 @@ def _time_of(rows: Sequence[Mapping[str, Any]], label: str, source: Path) -> dat
     return value
 
 
-def _kinds(rows: Sequence[Mapping[str, Any]], source: Path) -> dict[str, UnitType]:
-    """Geometry by name of the type of unit, with the median shape of its fits."""
-    kinds = {}
-    for name in dict.fromkeys(str(row.get("unit_type") or "tetrapod") for row in rows):
-        own = [row for row in rows if str(row.get("unit_type") or "tetrapod") == name]
-        values = [[row.get(field) for field in ("height", "r0", "gradient")] for row in own]
-        if any(v is None for row in values for v in row):
+def _kinds(rows: Sequence[Mapping[str, Any]], source: Path) -> dict[_Kind, UnitType]:
+    """Types of unit by their name and least height in the rows: geometry as the file's settings state it, with the median shape of the
+    fits. Heights of one name that differ by less than ``SAME_HEIGHT`` are of one type."""
+    sizes = stated_sizes(source)
+    own: dict[_Kind, list[list[float]]] = {}
+    for name in dict.fromkeys(_name_of(row) for row in rows):
+        values = [[row.get(field) for field in ("height", "r0", "gradient")] for row in rows if _name_of(row) == name]
+        given = np.array(values, dtype=np.float64)
+        if np.isnan(given).any():
             raise InputError("layer units has no height, r0 or gradient", source=source, remedy=NOT_FITTED)
-        height, radius, gradient = np.median(np.array(values, dtype=np.float64), axis=0)
-        kinds[name] = UnitType.tetrapod(float(height), radius=float(radius), gradient=float(gradient), name=name)
-    return kinds
+        least = -math.inf
+        for shape in sorted(given.tolist()):
+            least = shape[0] if shape[0] > (1.0 + SAME_HEIGHT) * least else least
+            own.setdefault((name, least), []).append(shape)
+    found = []
+    for (name, _), shapes in own.items():
+        height, radius, gradient = (float(v) for v in np.median(shapes, axis=0))
+        size = size_of({"unit_type": name, "height": height}, sizes)
+        found.append(
+            UnitType.tetrapod(height, radius=radius, gradient=gradient, leg_length=size.leg_length, opening=size.opening, name=name)
+        )
+    return dict(zip(own, told_apart(found), strict=True))
+
+
+def _kind_of(row: Mapping[str, Any], kinds: Mapping[_Kind, UnitType]) -> int:
+    """Number of the type of a row, of which ``kinds`` were formed."""
+    own = [(least, k) for k, (name, least) in enumerate(kinds) if name == _name_of(row) and least <= row["height"]]
+    return max(own)[1]
+
+
+def _name_of(row: Mapping[str, Any]) -> str:
+    return str(row.get("unit_type") or "tetrapod")
 
 
 def _fitted_epoch(
@@ -286,7 +312,7 @@ def _fitted_epoch(
     rows: Sequence[Mapping[str, Any]],
     poses: Sequence[tuple[Pose, FloatArray]],
     registered: RegisteredEpoch | None,
-    kinds: Mapping[str, UnitType],
+    kinds: Mapping[_Kind, UnitType],
     origin: FloatArray,
     source: Path,
 ) -> TrackedEpoch:
@@ -294,15 +320,15 @@ def _fitted_epoch(
     of its cloud."""
     registration = None if registered is None else registered.transformation
     transformation = Transformation.identity(origin) if registration is None else registration
-    names = list(kinds)
+    types = tuple(kinds.values())
     found = []
     turn = np.kron(np.eye(2), transformation.rotation)
     for row, (pose, covariance) in zip(rows, poses, strict=True):
-        kind = names.index(str(row.get("unit_type") or "tetrapod"))
+        kind = _kind_of(row, kinds)
         found.append(
             FittedUnit(
                 pose=transformation.apply_pose(pose).shifted(-origin),
-                shape=kinds[names[kind]],
+                shape=types[kind],
                 kind=kind,
                 certain=row.get("status") != "uncertain",
                 discs=np.zeros(4, dtype=np.bool_),

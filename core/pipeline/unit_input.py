@@ -15,7 +15,10 @@ from ..data.crs import check_same_crs
 from ..data.survey import Survey, SurveyUnit
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
-from ..results.geopackage_reader import crs_of, read_given_rows
+from ..results.geopackage_reader import crs_of, read_given_rows, table_names
+from ..results.result_access import REQUIRED
+from ..results.unit_rows import read_epochs, unit_sizes
+from ..results.unit_sizes import UnitSize, unit_of
 from .epoch_plans import EpochPlan
 from .given_units import GivenUnit
 from .stated_frames import is_registered, stated_frames
@@ -151,11 +154,22 @@ def crs_of_layer(path: Path, layer: str = "units") -> str:
     return crs_of(path, layer).text
 
 
-def unit_of(row: Mapping[str, Any], source: Path) -> UnitType:
-    """Geometry of a row of ``units``."""
+def stated_sizes(path: Path) -> tuple[UnitSize, ...]:
+    """Types of unit as a file with the layer ``units`` states them; () where it is no result.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, or its types of unit are damaged.
+    """
+    return unit_sizes(read_epochs(path)) if table_names(path, ("units",)).issuperset(REQUIRED) else ()
+
+
+def fitted_unit(row: dict[str, Any], sizes: Sequence[UnitSize], source: Path) -> UnitType:
+    """Geometry of a row of ``units``, whose file states ``sizes`` of its types."""
     values = [row.get(name) for name in ("height", "r0", "gradient")]
     if any(value is None for value in values):
         raise InputError(
             f"unit {row['unit_id']} has no height, r0 or gradient", source=source, remedy="Give a result of tetratrack fit or run."
         )
-    return UnitType.tetrapod(float(values[0]), radius=float(values[1]), gradient=float(values[2]))  # type: ignore[arg-type]
+    return unit_of(row, sizes)

@@ -25,14 +25,10 @@ from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..registration.control import Registration
 from ..results.field_checks import foreign_contents
-from ..results.geopackage_reader import table_names
 from ..results.geopackage_writer import check_output, from_upper_triangle, write_result
-from ..results.result_access import REQUIRED
 from ..results.run_record import record_run
 from ..results.schema import LAYERS
 from ..results.unit_bodies import body_rows
-from ..results.unit_rows import read_epochs, unit_sizes
-from ..results.unit_sizes import size_of
 from ..review.decisions import settle_decisions
 from .epoch_alignment import align_epochs
 from .epoch_plans import plan_survey
@@ -45,7 +41,7 @@ from .local_processes import LocalProcesses, processes_for
 from .no_units import warn_of_empty
 from .run_options import RunOptions, job_runner
 from .size_check import check_sizes
-from .unit_input import check_places, crs_of_layer, read_given_units, read_units, unit_of
+from .unit_input import check_places, crs_of_layer, fitted_unit, read_given_units, read_units, stated_sizes
 from .unit_table import control_rows, epoch_row, feature_rows, fitted_feature_rows, provisional_ids, unit_rows
 
 SHARES = {"read": 0.03, "fit": 0.82, "track": 0.14, "write": 0.01}
@@ -101,8 +97,7 @@ def run_features(
         check_number("unit", "leg_length", leg_length)
     crs = crs_of_layer(units)
     check_output(output, crs, step=("units", "feature_points"))
-    is_result = table_names(units, ("units",)) >= set(REQUIRED)
-    sizes = unit_sizes(read_epochs(units)) if end_discs and is_result else ()
+    sizes = stated_sizes(units)
     tables: Tables = {"units": [], "feature_points": []}
     for row in read_units(units):
         feedback.check()
@@ -112,9 +107,9 @@ def run_features(
             continue
         pose = Pose.from_quaternion(row["geometry"], [row["qx"], row["qy"], row["qz"], row["qw"]])
         with foreign_contents(units):
-            unit = unit_of(row, units)
-            if end_discs:
-                unit = _with_legs(unit, leg_length) if leg_length is not None else replace(unit, leg_length=size_of(row, sizes).leg_length)
+            unit = fitted_unit(row, sizes, units)
+            if end_discs and leg_length is not None:
+                unit = _with_legs(unit, leg_length)
             covariance = from_upper_triangle(row["covariance"]) if row.get("covariance") else None
             name, epoch, time = str(row["unit_id"]), str(row["epoch"]), row.get("epoch_time")
             unseen = [None] * len(FEATURES)

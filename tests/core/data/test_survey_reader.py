@@ -91,6 +91,14 @@ def test_several_types_of_unit(folder: Path) -> None:
     assert survey.units[1].area == ((0.0, 0.0), (10.0, 0.0), (10.0, 10.5))
     assert inside(survey.units[1].area, 9, 1)
     assert not inside(survey.units[1].area, 1, 9)
+    assert [unit.type.name for unit in survey.units] == ["tetrapod", "tetrapod 20 t"]
+
+
+def test_types_of_one_name_are_told_apart(folder: Path) -> None:
+    more = "".join(f'[[unit]]\ntype = "tetrapod"\nheight = {height}\n{rest}\n' for height, rest in ((1.5, ""), (1.5, 'opening = "paper"')))
+    survey = _read(folder, GOOD.replace("[unit]", "[[unit]]").replace("[[epoch]]", more + "[[epoch]]", 1))
+    assert [unit.type.name for unit in survey.units] == ["tetrapod 2.3 m", "tetrapod 1.5 m", "tetrapod 1.5 m (2)"]
+    assert [unit.type.height for unit in survey.units] == [2.3, 1.5, 1.5]
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.model.mould import Mould, onto_cones
 from tetratrack.core.model.tetrapod import relate, sample_surface
 from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.results.geopackage_writer import write_result
 
 UNIT = UnitType.tetrapod(2.5, gradient=0.2, radius=0.68)
 
@@ -81,6 +83,17 @@ def test_a_survey_takes_a_mould_by_its_name(tmp_path: Path) -> None:
     assert held.unit.gradient == pytest.approx(0.19)
 
 
+def test_a_mould_of_one_of_several_sizes(tmp_path: Path) -> None:
+    castings = {f"tetrapod {height:g} m": mould().as_record() | {"units": units} for height, units in ((2.5, 9), (5.0, 12))}
+    path = tmp_path / "r.gpkg"
+    epoch = {"label": "a", "time": datetime(2025, 1, 1, tzinfo=UTC), "settings": json.dumps({"castings": castings})}
+    write_result(path, "EPSG:32650", {"units": [], "feature_points": [], "displacements": [], "epochs": [epoch]})
+    assert read_mould(path, UNIT).units == 9
+    assert read_mould(path, UnitType.tetrapod(5.0, name="tetrapod 5 m")).units == 12
+    with pytest.raises(InputError, match="holds no mould"):
+        read_mould(path, UnitType.tetrapod(1.0))
+
+
 @pytest.mark.parametrize(
     ("line", "words"),
     [
@@ -97,4 +110,4 @@ def test_moulds_that_cannot_be_used_are_named(tmp_path: Path, line: str, words: 
     assert "line" in str(caught.value)
     (tmp_path / "r.gpkg").write_bytes(b"nothing")
     with pytest.raises(InputError, match="cannot be read as a result"):
-        read_mould(tmp_path / "r.gpkg", "tetrapod")
+        read_mould(tmp_path / "r.gpkg", UnitType.tetrapod(2.3))

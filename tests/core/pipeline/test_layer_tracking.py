@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import sqlite3
+from collections import Counter
 from contextlib import closing
+from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -12,7 +14,9 @@ from typing import Any
 import numpy as np
 import pytest
 from bent_coast import BentCoast, bent_coast
+from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
+from tetratrack.core.armour.placement_rows import size_of_type
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey_reader import read_survey
@@ -27,10 +31,11 @@ from tetratrack.core.pipeline.layer_tracking import run_track
 from tetratrack.core.pipeline.run_options import RunOptions
 from tetratrack.core.pipeline.stated_frames import stated_frames
 from tetratrack.core.pipeline.unit_input import read_units
-from tetratrack.core.pipeline.whole_survey import run_register
+from tetratrack.core.pipeline.whole_survey import run_features, run_register
 from tetratrack.core.registration.transformation import Transformation
 from tetratrack.core.results.geopackage_reader import read_layer_rows
 from tetratrack.core.results.geopackage_writer import from_upper_triangle, upper_triangle, write_result
+from tetratrack.core.results.unit_sizes import shape_of
 
 UNIT = UnitType.tetrapod(2.3)
 ORIGIN = np.array([500_000.0, 3_500_000.0, 0.0])
@@ -244,3 +249,49 @@ def test_a_layer_of_registered_units_alone_is_not_registered_twice(tracked_once:
     run_track(tmp_path / "layer.gpkg", [], tmp_path / "out.gpkg", Feedback())
     before, after = centres(first), centres(tmp_path / "out.gpkg")
     assert max(np.linalg.norm(after[key] - before[key]) for key in before) < 1e-6
+
+
+def own_types(coast: BentCoast, types: list[UnitType]) -> list[dict[str, Any]]:
+    """Rows as fitted, the types taking turns."""
+    rows = unit_rows(coast)
+    for k, row in enumerate(rows):
+        unit = types[int(row["unit_id"][1:]) % len(types)]
+        # heights that two surveys of the same units state
+        height = unit.height * (1.01 if k % 5 == 0 else 1.0)
+        row |= {"unit_type": unit.name, "height": height, "r0": unit.radius, "gradient": unit.gradient}
+    return rows
+
+
+def test_sizes_of_one_name_stay_apart(coast: BentCoast, tmp_path: Path) -> None:
+    types = [UnitType.tetrapod(2.3), UnitType.tetrapod(1.15)]
+    write_result(tmp_path / "units.gpkg", "EPSG:32650", {"units": own_types(coast, types)})
+    run_track(tmp_path / "units.gpkg", [registered(coast, tmp_path / "control.gpkg")], tmp_path / "out.gpkg", Feedback())
+    rows = read_layer_rows(tmp_path / "out.gpkg", "units")
+    assert {(row["unit_type"], row["height"]) for row in rows} == {("tetrapod 2.3 m", 2.3), ("tetrapod 1.15 m", 1.15)}
+    assert Counter(row["r0"] for row in rows) == Counter(types[k % 2].radius for k in range(len(coast.places)) for _ in TIMES)
+    places = np.array([row["geom"] for row in rows if row["height"] == 1.15 and row["epoch"] == "0"])
+    assert set(cKDTree(coast.places).query(places - ORIGIN)[1] % 2) == {1}
+    moved = {row["unit_id"]: row for row in read_layer_rows(tmp_path / "out.gpkg", "displacements") if row["feature"] == "centre"}
+    height = {row["unit_id"]: row["height"] for row in rows}
+    assert all(row["d_over_h"] == pytest.approx(row["d_3d"] / height[name]) for name, row in moved.items())
+
+
+def test_the_opening_is_that_of_the_run(coast: BentCoast, tmp_path: Path) -> None:
+    unit = UnitType.tetrapod(2.3, opening="paper", leg_length=1.5)
+    settings = json.dumps({"unit_types": [asdict(unit)]})
+    epochs = [{"label": str(k), "time": time, "points": 0, "settings": settings} for k, time in enumerate(TIMES)]
+    tables = {"units": own_types(coast, [unit]), "epochs": epochs, "feature_points": [], "displacements": []}
+    write_result(tmp_path / "units.gpkg", "EPSG:32650", tables)
+    run_track(tmp_path / "units.gpkg", [], tmp_path / "tracked.gpkg", Feedback())
+    for given in ("units", "tracked"):
+        run_features(tmp_path / f"{given}.gpkg", tmp_path / "features.gpkg", Feedback(), end_discs=True)
+        shapes = [shape_of(row, [size_of_type(unit)]) for row in read_layer_rows(tmp_path / f"{given}.gpkg", "units")]
+        ends = np.concatenate([shape.centre + unit.leg_length * shape.legs @ shape.rotation.T for shape in shapes if shape is not None])
+        points = read_layer_rows(tmp_path / "features.gpkg", "feature_points")
+        discs = np.array([row["geom"] for row in points if row["feature"].startswith("d")])
+        assert len(discs) == len(ends)
+        assert cKDTree(ends - ORIGIN).query(discs - ORIGIN)[0].max() < 1e-6
+    # of the tracked units, by either step
+    placed = read_layer_rows(tmp_path / "tracked.gpkg", "feature_points")
+    own, joints = (np.array([row["geom"] for row in table if row["feature"].startswith("f")]) for table in (points, placed))
+    assert cKDTree(own - ORIGIN).query(joints - ORIGIN)[0].max() < 1e-6
