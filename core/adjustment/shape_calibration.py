@@ -43,7 +43,7 @@ class Calibration:
     covariance
         (2, 2) of the common radius and gradient.
     between
-        (2,) standard deviation of single units' radius and gradient about the common values: the priors of later adjustments.
+        (2,) standard deviation of single units' radius and gradient about the common values.
     used
         (n,) units that took part in the end.
     shapes
@@ -60,6 +60,14 @@ class Calibration:
     def sd(self) -> FloatArray:
         """(2,) standard deviations of the common radius and gradient."""
         return np.asarray(np.sqrt(np.diag(self.covariance)))
+
+    @property
+    def unit_sds(self) -> FloatArray:
+        """(2,) standard deviations of a single unit's radius and gradient about the stated ones: the priors of later adjustments.
+
+        They hold the error of the common values, so that no shape is held as known: where few units hide their scatter, ``between`` is 0.
+        """
+        return np.asarray(np.sqrt(self.between**2 + self.sd**2))
 
 
 def calibrate(

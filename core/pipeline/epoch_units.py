@@ -265,7 +265,7 @@ def calibrate_shapes(
         _, clouds, poses, noises = zip(*best, strict=True) if best else ((), (), (), ())
         result = calibrate(clouds, unit.type, poses, covariances=noises)
         units[kind] = replace(unit, type=result.unit)
-        sds[kind] = (float(result.between[0]), float(result.between[1]))
+        sds[kind] = (float(result.unit_sds[0]), float(result.unit_sds[1]))
         used = int(result.used.sum())
         feedback.info(
             f"calibrated on {used} units: radius {result.unit.radius:.4f} m (sd {result.sd[0]:.4f}), "

@@ -8,6 +8,7 @@ import pytest
 from conftest import SHARED
 from scipy.spatial.transform import Rotation
 from tetratrack.core.adjustment.adjustment_records import AdjustmentOptions
+from tetratrack.core.adjustment.gauss_helmert import adjust
 from tetratrack.core.adjustment.shape_calibration import calibrate
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.data.trajectory import beam_covariances
@@ -41,6 +42,29 @@ def test_shape_is_recovered_with_its_deviation() -> None:
     assert abs(result.unit.radius - 0.776) < 4 * result.sd[0] < 0.004
     assert abs(result.unit.gradient - 0.203) < 4 * result.sd[1] < 0.004
     assert result.unit.leg_length == NOMINAL.leg_length
+
+
+@pytest.mark.parametrize("count", [1, 2, 4])
+def test_units_calibrated_on_few_are_as_far_off_as_stated(count: int) -> None:
+    """Units seen from above, of sizes that scatter: the error of the common shape is in their heights. Held as known, 1.5 to 2."""
+    rng = np.random.default_rng(count)
+    squares = []
+    for _ in range(36 // count):
+        clouds, poses = [], []
+        for _ in range(count):
+            pose = Pose(np.zeros(3), Rotation.random(random_state=rng).as_matrix())
+            own = MOULD.with_shape(MOULD.radius * (1 + rng.normal(0, 0.005)), MOULD.gradient)
+            body, _, _ = sample_surface(own, 1500, rng, end_discs=False)
+            cloud = pose.to_frame(body + rng.normal(0, 0.02, body.shape))
+            clouds.append(cloud[cloud[:, 2] > 0.1 * NOMINAL.height])
+            poses.append(pose)
+        result = calibrate(clouds, NOMINAL, poses, options=AdjustmentOptions.ideal())
+        radius_sd, gradient_sd = result.unit_sds
+        for cloud, pose in zip(clouds, poses, strict=True):
+            fit = adjust(cloud, result.unit, pose, options=AdjustmentOptions(radius_sd=float(radius_sd), gradient_sd=float(gradient_sd)))
+            error = fit.pose.centre - pose.centre
+            squares.append(error @ np.linalg.solve(fit.covariance[:3, :3], error) / 3)
+    assert np.mean(squares) == pytest.approx(1.0, abs=0.3)
 
 
 def test_scatter_between_units_is_found() -> None:
