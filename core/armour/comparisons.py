@@ -287,7 +287,7 @@ def _axis(given: FloatArray | None, models: Sequence[AsBuilt]) -> Axis:
 
 
 def _surface(source: str, model: AsBuilt, axis: Axis) -> DesignSurface:
-    return design_surface(read_design_lines(source, model.crs), axis)
+    return design_surface(read_design_lines(source, model.crs), axis, split_source(source)[0])
 
 
 def _by_section(clouds: Clouds, epochs: Sequence[str], planes: Sequence[CutPlane]) -> dict[str, list[FloatArray]]:

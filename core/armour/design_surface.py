@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from itertools import pairwise
+from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
 
 from ..common.arrays import FloatArray
 from ..common.axis import Axis
+from ..common.errors import InputError
 from ..model.outline import PlacedShape
 from .as_built import AsBuilt
 from .placement_plan import verdict
@@ -18,11 +20,18 @@ from .placement_plan import verdict
 Reference = Literal["outer", "centre"]
 STEP = 0.5
 """Distance in metres of the corners that stand for a line: finer than a unit, so that the surface keeps to the lines between them."""
+ROUNDING = 0.005
+"""Metres within which corners of a drawing lie above each other."""
+LEAST_FACE = 0.05
+"""Metres between heights of such corners from which they are a vertical face."""
 
 
 @dataclass(frozen=True, eq=False)
 class SweptSection:
-    """One cross-section line drawn along the axis: offset (n,) from the axis and height (n,), metres, by offset."""
+    """One cross-section line drawn along the axis: offset (n,) from the axis, which never falls, and height (n,), metres.
+
+    A vertical face are two corners at one offset, in their order across the axis.
+    """
 
     axis: Axis
     offset: FloatArray
@@ -49,7 +58,7 @@ class RuledSurface:
 DesignSurface = SweptSection | RuledSurface
 
 
-def design_surface(lines: list[FloatArray], axis: Axis) -> DesignSurface:
+def design_surface(lines: list[FloatArray], axis: Axis, source: Path | None = None) -> DesignSurface:
     """Surface of a design profile.
 
     Parameters
@@ -59,17 +68,39 @@ def design_surface(lines: list[FloatArray], axis: Axis) -> DesignSurface:
         berms), with plane faces between them.
     axis
         Of the structure.
+    source
+        Their file, for what is said of it.
+
+    Raises
+    ------
+    InputError
+        The surface would have two heights at one place: a cross-section folds back, or edges lie one above the other.
     """
     if len(lines) == 1:
-        offset = axis.locate(lines[0])[1]
-        order = np.argsort(offset, kind="stable")
-        return SweptSection(axis, offset[order], lines[0][order, 2])
+        return _swept(lines[0], axis, source)
     from scipy.interpolate import LinearNDInterpolator
+    from scipy.spatial import cKDTree
 
     corners = np.vstack([_dense(line) for line in lines])
     origin = corners.mean(axis=0)
     reduced = corners - origin
+    first, second = cKDTree(reduced[:, :2]).query_pairs(ROUNDING, output_type="ndarray").T
+    if np.any(np.abs(reduced[first, 2] - reduced[second, 2]) > LEAST_FACE):
+        remedy = "Draw the foot of a vertical face a few centimetres before its top, or give the profile as one cross-section."
+        raise InputError("has edges one above the other, which leave the faces between them open", source=source, remedy=remedy)
     return RuledSurface(origin, LinearNDInterpolator(reduced[:, :2], reduced[:, 2]))
+
+
+def _swept(line: FloatArray, axis: Axis, source: Path | None) -> SweptSection:
+    """A cross-section whichever way it was drawn."""
+    offset, height = axis.locate(line)[1], line[:, 2]
+    if offset[-1] < offset[0]:
+        offset, height = offset[::-1], height[::-1]
+    rising = np.maximum.accumulate(offset)
+    if np.any(rising - offset > ROUNDING):
+        remedy = "Draw its surface alone, once from one side to the other, without overhangs."
+        raise InputError("has a cross-section that folds back", source=source, remedy=remedy)
+    return SweptSection(axis, rising, height)
 
 
 def compare_with_profile(
@@ -131,9 +162,9 @@ def _slope(surface: DesignSurface, places: FloatArray, axis_number: int) -> Floa
 
 
 def _dense(line: FloatArray) -> FloatArray:
-    """Corners of a line and places between them, at most ``STEP`` apart."""
+    """Corners of a line and places between them, at most ``STEP`` apart in plan, so that edges one above the other have them at the same."""
     parts = [line[:1]]
     for start, stop in pairwise(line):
-        count = max(1, math.ceil(float(np.linalg.norm(stop - start)) / STEP))
+        count = max(1, math.ceil(float(np.linalg.norm(stop[:2] - start[:2])) / STEP))
         parts.append(start + (np.arange(1, count + 1) / count)[:, None] * (stop - start))
     return np.vstack(parts)
