@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from datetime import datetime
 from functools import cached_property
@@ -22,7 +23,16 @@ from ..results.unit_sizes import shape_of, unit_of
 SIDES = 24
 """Faces around a leg of an exported unit."""
 RADIUS_DECIMALS, GRADIENT_DECIMALS = 3, 4
-"""Rounding of radius (m) and taper within which units share one solid, which moves no place of a surface by more than 0.6 mm."""
+"""Rounding of radius (m) and taper within which units share one solid, which moves no place of a surface by more than 0.6 mm; the radius of
+units lower than a metre has as many digits more as their height has less."""
+
+FULL_HEIGHT = 2.0
+"""Height H from which lengths that are stated in metres suit units; smaller units, and models of a tank, take the same share of theirs."""
+
+
+def of_height(metres: float, height: float) -> float:
+    """A length that suits units of ``FULL_HEIGHT`` and more, for units of a height H; both in metres."""
+    return metres * min(1.0, height / FULL_HEIGHT)
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,6 +113,11 @@ class AsBuilt:
     solids: tuple[Solid, ...]
     units: tuple[BuiltUnit, ...]
 
+    @property
+    def height(self) -> float:
+        """Nominal height H of its smallest unit, metres."""
+        return min(float(unit.row["height"]) for unit in self.units)
+
 
 def read_as_built(result: Path, epoch: str | None = None) -> AsBuilt:
     """Units of one epoch of a result, by default the latest that has any.
@@ -128,7 +143,9 @@ def read_as_built(result: Path, epoch: str | None = None) -> AsBuilt:
         shape = shape_of(row, sizes) if row["epoch"] == chosen.label else None
         if shape is None:
             continue
-        unit = unit_of(row, sizes).with_shape(round(shape.radius, RADIUS_DECIMALS), round(shape.gradient, GRADIENT_DECIMALS))
+        nominal = unit_of(row, sizes)
+        decimals = RADIUS_DECIMALS - min(0, math.floor(math.log10(nominal.height)))
+        unit = nominal.with_shape(round(shape.radius, decimals), round(shape.gradient, GRADIENT_DECIMALS))
         key = (unit.name, unit.height, unit.radius, unit.gradient, unit.leg_length, unit.opening)
         if key not in solids:
             solids[key] = len(kinds)

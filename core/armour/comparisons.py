@@ -22,7 +22,7 @@ from ..results.geopackage_writer import check_beside, write_beside
 from ..results.schema import Layer
 from ..results.unit_rows import read_epochs, read_unit_rows
 from ..review.point_index import index_folder, index_of
-from .as_built import AsBuilt, read_as_built
+from .as_built import AsBuilt, of_height, read_as_built
 from .crest import CrestErrors, crest_rows
 from .design_files import read_design_lines, read_plan, split_source
 from .design_surface import DesignSurface, Reference, compare_with_profile, design_surface
@@ -30,7 +30,7 @@ from .placement_plan import PlanComparison, Tolerance, compare_with_plan
 from .sections import CutPlane, cut_planes, section_rows, settlement_rows
 
 SLAB = 0.15
-"""Points nearer than this to a section belong to it, metres."""
+"""Points nearer than this to a section belong to it, metres, of units of usual size (:func:`.as_built.of_height`)."""
 UNJUDGED = Tolerance()
 DEFAULT_STEP_HEIGHTS = 4.0
 """Distance of sections unless another is asked for, heights H."""
@@ -226,10 +226,11 @@ def profiles(
     planes = cut_planes(line, places, distance)
     surface = _surface(profile, models[-1], line) if profile else None
     epochs = tuple(model.epoch for model in models)
+    slab = of_height(SLAB, min(model.height for model in models))
     return Profiles(
         planes=planes,
         epochs=epochs,
-        sections=section_rows(models, line, planes, _by_section(clouds, epochs, planes), surface),
+        sections=section_rows(models, line, planes, _by_section(clouds, epochs, planes, slab), surface),
         crest=crest_rows(models, line, planes, distance, _crest_errors(result, epochs)),
         settlement=settlement_rows(read_layer_rows(result, "stretches"), line, float(places[:, 2].max())),
     )
@@ -287,14 +288,14 @@ def _axis(given: FloatArray | None, models: Sequence[AsBuilt]) -> Axis:
 
 
 def _surface(source: str, model: AsBuilt, axis: Axis) -> DesignSurface:
-    return design_surface(read_design_lines(source, model.crs), axis, split_source(source)[0])
+    return design_surface(read_design_lines(source, model.crs), axis, model.height, split_source(source)[0])
 
 
-def _by_section(clouds: Clouds, epochs: Sequence[str], planes: Sequence[CutPlane]) -> dict[str, list[FloatArray]]:
-    """Points of each epoch near each section; epochs without points are left out."""
+def _by_section(clouds: Clouds, epochs: Sequence[str], planes: Sequence[CutPlane], slab: float) -> dict[str, list[FloatArray]]:
+    """Points of each epoch within ``slab`` metres of each section; epochs without points are left out."""
     found: dict[str, list[FloatArray]] = {}
     for epoch in epochs:
-        parts = [[points[np.abs((points[:, :2] - p.place) @ p.heading) <= SLAB] for p in planes] for points in clouds(epoch)]
+        parts = [[points[np.abs((points[:, :2] - p.place) @ p.heading) <= slab] for p in planes] for points in clouds(epoch)]
         if parts:
             found[epoch] = [np.vstack(own) for own in zip(*parts, strict=True)]
     return found

@@ -14,16 +14,19 @@ from ..common.arrays import FloatArray
 from ..common.axis import Axis
 from ..common.errors import InputError
 from ..model.outline import PlacedShape
-from .as_built import AsBuilt
+from .as_built import AsBuilt, of_height
 from .placement_plan import verdict
 
 Reference = Literal["outer", "centre"]
 STEP = 0.5
-"""Distance in metres of the corners that stand for a line: finer than a unit, so that the surface keeps to the lines between them."""
+"""Distance of the corners that stand for a line: finer than a unit, so that the surface keeps to the lines between them. Metres, as the
+lengths below of units of usual size (:func:`.as_built.of_height`)."""
 ROUNDING = 0.005
-"""Metres within which corners of a drawing lie above each other."""
+"""Within which corners of a drawing lie above each other."""
 LEAST_FACE = 0.05
-"""Metres between heights of such corners from which they are a vertical face."""
+"""Between heights of such corners, from which they are a vertical face."""
+HALF_SLOPE = 0.01
+"""To either side of a place whose slope is asked."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +61,7 @@ class RuledSurface:
 DesignSurface = SweptSection | RuledSurface
 
 
-def design_surface(lines: list[FloatArray], axis: Axis, source: Path | None = None) -> DesignSurface:
+def design_surface(lines: list[FloatArray], axis: Axis, height: float, source: Path | None = None) -> DesignSurface:
     """Surface of a design profile.
 
     Parameters
@@ -68,6 +71,8 @@ def design_surface(lines: list[FloatArray], axis: Axis, source: Path | None = No
         berms), with plane faces between them.
     axis
         Of the structure.
+    height
+        H of the units, metres.
     source
         Their file, for what is said of it.
 
@@ -77,27 +82,27 @@ def design_surface(lines: list[FloatArray], axis: Axis, source: Path | None = No
         The surface would have two heights at one place: a cross-section folds back, or edges lie one above the other.
     """
     if len(lines) == 1:
-        return _swept(lines[0], axis, source)
+        return _swept(lines[0], axis, of_height(ROUNDING, height), source)
     from scipy.interpolate import LinearNDInterpolator
     from scipy.spatial import cKDTree
 
-    corners = np.vstack([_dense(line) for line in lines])
+    corners = np.vstack([_dense(line, of_height(STEP, height)) for line in lines])
     origin = corners.mean(axis=0)
     reduced = corners - origin
-    first, second = cKDTree(reduced[:, :2]).query_pairs(ROUNDING, output_type="ndarray").T
-    if np.any(np.abs(reduced[first, 2] - reduced[second, 2]) > LEAST_FACE):
+    first, second = cKDTree(reduced[:, :2]).query_pairs(of_height(ROUNDING, height), output_type="ndarray").T
+    if np.any(np.abs(reduced[first, 2] - reduced[second, 2]) > of_height(LEAST_FACE, height)):
         remedy = "Draw the foot of a vertical face a few centimetres before its top, or give the profile as one cross-section."
         raise InputError("has edges one above the other, which leave the faces between them open", source=source, remedy=remedy)
     return RuledSurface(origin, LinearNDInterpolator(reduced[:, :2], reduced[:, 2]))
 
 
-def _swept(line: FloatArray, axis: Axis, source: Path | None) -> SweptSection:
-    """A cross-section whichever way it was drawn."""
+def _swept(line: FloatArray, axis: Axis, rounding: float, source: Path | None) -> SweptSection:
+    """A cross-section whichever way it was drawn, with corners ``rounding`` metres off."""
     offset, height = axis.locate(line)[1], line[:, 2]
     if offset[-1] < offset[0]:
         offset, height = offset[::-1], height[::-1]
     rising = np.maximum.accumulate(offset)
-    if np.any(rising - offset > ROUNDING):
+    if np.any(rising - offset > rounding):
         remedy = "Draw its surface alone, once from one side to the other, without overhangs."
         raise InputError("has a cross-section that folds back", source=source, remedy=remedy)
     return SweptSection(axis, rising, height)
@@ -117,7 +122,7 @@ def compare_with_profile(
     """
     centres = np.array([unit.shape.centre for unit in model.units])
     design = surface.heights(centres)
-    slope = np.column_stack([_slope(surface, centres, axis_number) for axis_number in (0, 1)])
+    slope = np.column_stack([_slope(surface, centres, axis_number, of_height(HALF_SLOPE, model.height)) for axis_number in (0, 1)])
     along = axis.locate(centres)[0]
     rows = []
     for k, unit in enumerate(model.units):
@@ -152,19 +157,18 @@ def support(shape: PlacedShape, direction: FloatArray) -> float:
     return float(np.max(shape.leg_length * along + rim * np.sqrt(np.maximum(1 - along**2, 0))))
 
 
-def _slope(surface: DesignSurface, places: FloatArray, axis_number: int) -> FloatArray:
-    """(m,) rise of the surface per metre to the east (0) or north (1)."""
-    half = 0.01
+def _slope(surface: DesignSurface, places: FloatArray, axis_number: int, half: float) -> FloatArray:
+    """(m,) rise of the surface per metre to the east (0) or north (1), ``half`` metres to either side."""
     step = np.zeros(2)
     step[axis_number] = half
     after, before = surface.heights(places[:, :2] + step), surface.heights(places[:, :2] - step)
     return np.asarray((after - before) / (2 * half))
 
 
-def _dense(line: FloatArray) -> FloatArray:
-    """Corners of a line and places between them, at most ``STEP`` apart in plan, so that edges one above the other have them at the same."""
+def _dense(line: FloatArray, step: float) -> FloatArray:
+    """Corners of a line and places between them, at most ``step`` metres apart in plan: the same ones where edges lie above each other."""
     parts = [line[:1]]
     for start, stop in pairwise(line):
-        count = max(1, math.ceil(float(np.linalg.norm(stop[:2] - start[:2])) / STEP))
+        count = max(1, math.ceil(float(np.linalg.norm(stop[:2] - start[:2])) / step))
         parts.append(start + (np.arange(1, count + 1) / count)[:, None] * (stop - start))
     return np.vstack(parts)

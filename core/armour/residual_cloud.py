@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,25 +14,26 @@ from ..common.errors import InputError, OutputError
 from ..common.output_files import check_own, check_targets
 from ..data.crs import LOCAL, parse_crs
 from ..model.tetrapod import distance_to_surface
-from ..results.geopackage_reader import ResultCrs
 from ..review.point_index import index_of
-from .as_built import AsBuilt, read_as_built
+from .as_built import AsBuilt, of_height, read_as_built
 from .contacts import reach_of
 
-FULL_COLOUR = 0.10
-"""Distance in metres at which the colours end."""
+FULL_COLOUR, NEAR, SEARCHED = 0.10, 0.05, 0.5
+"""Distance at which the colours end, up to which a point lies on a unit, and beyond a unit's reach to which points are held against it:
+metres, of units of usual size (:func:`.as_built.of_height`)."""
 FAR = 10.0
 """Distance in metres written for points near no unit."""
 INSIDE, ON, OUTSIDE = (33, 102, 172), (247, 247, 247), (178, 24, 43)
 """Colours inside a body, on its surface and outside: the diverging scale RdBu of ColorBrewer, readable by the colour-blind."""
-SCALE = 1e-3
+MOST_SCALE, SCALE_HEIGHTS = 1e-3, 1e-3
+"""Steps of the coordinates, metres and heights H: a power of ten."""
 _WHAT = "to the nearest unit, metres"
 """Description of the dimension ``distance``, by which a file of this kind is known."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class ResidualCloud:
-    """What was written: points, those nearer than 5 cm to a unit, and the median absolute distance of these, metres."""
+    """What was written: points, those on a unit (``NEAR``), and the median absolute distance of these, metres."""
 
     points: int
     near: int
@@ -65,8 +67,8 @@ def write_residual_cloud(result: Path, output: Path, epoch: str | None = None) -
     points = np.vstack([np.empty((0, 3)), *(part for part, _, _ in parts)])
     distance = np.concatenate([np.empty(0), *(part for _, part, _ in parts)])
     number = np.concatenate([np.empty(0, dtype=np.int64), *(part for _, _, part in parts)])
-    write_whole(output, _las(points, distance, number, model.crs, compressed=output.suffix.lower() == ".laz"))
-    near = np.abs(distance) < 0.05
+    write_whole(output, _las(points, distance, number, model, compressed=output.suffix.lower() == ".laz"))
+    near = np.abs(distance) < of_height(NEAR, model.height)
     return ResidualCloud(
         points=len(points), near=int(near.sum()), median=float(np.median(np.abs(distance[near]))) if near.any() else float("nan")
     )
@@ -81,8 +83,9 @@ def distances(points: FloatArray, model: AsBuilt) -> tuple[FloatArray, IntArray]
         return distance, number
     reduced = points - model.offset
     tree = cKDTree(reduced)
+    searched = of_height(SEARCHED, model.height)
     for k, unit in enumerate(model.units, start=1):
-        own = np.array(tree.query_ball_point(unit.shape.centre - model.offset, reach_of(unit.shape) + 0.5), dtype=np.int64)
+        own = np.array(tree.query_ball_point(unit.shape.centre - model.offset, reach_of(unit.shape) + searched), dtype=np.int64)
         if not len(own):
             continue
         body = (points[own] - unit.shape.centre) @ unit.shape.rotation
@@ -94,29 +97,29 @@ def distances(points: FloatArray, model: AsBuilt) -> tuple[FloatArray, IntArray]
     return distance, number
 
 
-def colours(distance: FloatArray) -> FloatArray:
-    """(n, 3) red, green, blue, 0 to 255, of distances in metres."""
-    share = np.clip(np.abs(distance) / FULL_COLOUR, 0, 1)[:, None]
-    end = np.where((distance < 0)[:, None], np.array(INSIDE), np.array(OUTSIDE))
-    return np.asarray(np.round((1 - share) * np.array(ON) + share * end))
+def colours(distance: FloatArray, end: float) -> FloatArray:
+    """(n, 3) red, green, blue, 0 to 255, of distances; the colours end at that of ``end`` metres."""
+    share = np.clip(np.abs(distance) / end, 0, 1)[:, None]
+    last = np.where((distance < 0)[:, None], np.array(INSIDE), np.array(OUTSIDE))
+    return np.asarray(np.round((1 - share) * np.array(ON) + share * last))
 
 
-def _las(points: FloatArray, distance: FloatArray, number: IntArray, crs: ResultCrs, *, compressed: bool) -> bytes:
+def _las(points: FloatArray, distance: FloatArray, number: IntArray, model: AsBuilt, *, compressed: bool) -> bytes:
     import io
 
     import laspy
 
     header = laspy.LasHeader(point_format=7, version="1.4")
-    header.scales = np.full(3, SCALE)
+    header.scales = np.full(3, min(MOST_SCALE, 10.0 ** math.floor(math.log10(SCALE_HEIGHTS * model.height))))
     header.offsets = np.floor(points.min(axis=0)) if len(points) else np.zeros(3)
     header.add_extra_dim(laspy.ExtraBytesParams(name="distance", type=np.float32, description=_WHAT))
     header.add_extra_dim(laspy.ExtraBytesParams(name="unit", type=np.uint32, description="number of that unit, 0: none"))
-    if crs.text != LOCAL:
-        header.add_crs(parse_crs(crs.text))
+    if model.crs.text != LOCAL:
+        header.add_crs(parse_crs(model.crs.text))
     cloud = laspy.LasData(header)
     cloud.x, cloud.y, cloud.z = points.T
     cloud.distance, cloud.unit = distance.astype(np.float32), number.astype(np.uint32)
-    cloud.red, cloud.green, cloud.blue = (257 * colours(distance)).astype(np.uint16).T
+    cloud.red, cloud.green, cloud.blue = (257 * colours(distance, of_height(FULL_COLOUR, model.height))).astype(np.uint16).T
     stream = io.BytesIO()
     cloud.write(stream, do_compress=compressed)
     return stream.getvalue()

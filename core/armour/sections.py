@@ -15,17 +15,19 @@ from ..model.facets import facets
 from ..model.outline import PlacedShape
 from ..results.geopackage_reader import Row
 from ..results.unit_rows import Z_95
-from .as_built import AsBuilt
+from .as_built import AsBuilt, of_height
 from .contacts import reach_of
 from .design_surface import DesignSurface
 
 ANOTHER_PART = 2.0
 """Distance from the axis along a section over that from the axis at all, beyond which a unit belongs to another part of a bent axis."""
-POINT_STEP = 0.10
-"""Metres along a section for which one height of the points is stated."""
+POINT_STEP, POINT_GAP = 0.10, 0.5
+"""Length along a section for which one height of the points is stated, and without points from which their line is broken: metres, of units
+of usual size (:func:`.as_built.of_height`)."""
 POINT_SHARE = 0.95
 """Quantile of the points' heights that stands for the surface: the highest points are spray and birds."""
 DESIGN_STEP = 0.25
+"""Of the design's line, in the same way."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +106,7 @@ def section_rows(
         Surface of the design profile, if there is one.
     """
     rows = []
+    height = min(model.height for model in models)
     reach = max((reach_of(unit.shape) for model in models for unit in model.units), default=1.0)
     beside = [np.abs(axis.locate(np.array([unit.shape.centre for unit in model.units]))[1]) for model in models]
     for number, plane in enumerate(planes, start=1):
@@ -120,10 +123,11 @@ def section_rows(
         if not offsets:
             continue
         for epoch, points in clouds.items():
-            for line in _point_lines(points[number - 1], plane, min(offsets), max(offsets)):
+            for line in _point_lines(points[number - 1], plane, min(offsets), max(offsets), height):
                 rows.append(base | {"geometry": line, "kind": "points", "epoch": epoch})
         if design is not None:
-            across = np.arange(min(offsets), max(offsets) + DESIGN_STEP, DESIGN_STEP)
+            step = of_height(DESIGN_STEP, height)
+            across = np.arange(min(offsets), max(offsets) + step, step)
             line = plane.at(across, design.heights(plane.at(across, np.zeros(len(across)))))
             line = line[np.isfinite(line[:, 2])]
             if len(line) > 1:
@@ -153,19 +157,20 @@ def settlement_rows(stretches: Sequence[Row], axis: Axis, level: float) -> list[
     return rows
 
 
-def _point_lines(points: FloatArray, plane: CutPlane, low: float, high: float) -> list[FloatArray]:
-    """Lines (n, 3) of the surface of points near a plane, broken where there are none for more than half a metre."""
+def _point_lines(points: FloatArray, plane: CutPlane, low: float, high: float, unit_height: float) -> list[FloatArray]:
+    """Lines (n, 3) of the surface of points near a plane, broken where there are none for a while."""
     offset = (points[:, :2] - plane.place) @ plane.left
     kept = (offset >= low) & (offset <= high)
     offset, height = offset[kept], points[kept, 2]
     if not len(offset):
         return []
-    slot = np.floor((offset - low) / POINT_STEP).astype(np.int64)
+    step = of_height(POINT_STEP, unit_height)
+    slot = np.floor((offset - low) / step).astype(np.int64)
     order = np.argsort(slot, kind="stable")
     slots, starts = np.unique(slot[order], return_index=True)
     tops = np.array([np.quantile(part, POINT_SHARE) for part in np.split(height[order], starts[1:])])
-    across = low + (slots + 0.5) * POINT_STEP
-    breaks = np.flatnonzero(np.diff(across) > 0.5) + 1
+    across = low + (slots + 0.5) * step
+    breaks = np.flatnonzero(np.diff(across) > of_height(POINT_GAP, unit_height)) + 1
     lines = [plane.at(a, h) for a, h in zip(np.split(across, breaks), np.split(tops, breaks), strict=True)]
     return [line for line in lines if len(line) > 1]
 

@@ -142,8 +142,10 @@ def features_of(unit: SyntheticUnit, epoch: int) -> np.ndarray:
     return unit.centres[epoch] + body @ rotation_of_quaternion(unit.quaternions[epoch]).T
 
 
-def write_points(result: Path, units: list[SyntheticUnit], epochs: int = 3, per_unit: int = 2500, seed: int = 3) -> None:
-    """Write the point index of a result: points with 5 mm noise on the upper side of every unit that is there."""
+def write_points(
+    result: Path, units: list[SyntheticUnit], epochs: int = 3, per_unit: int = 2500, seed: int = 3, noise: float = 0.005
+) -> None:
+    """Write the point index of a result: points with noise (metres) on the upper side of every unit that is there."""
     rng = np.random.default_rng(seed)
     labels = [f"{2023 + k}-04-09" for k in range(epochs)]
     tiles = []
@@ -161,7 +163,7 @@ def write_points(result: Path, units: list[SyntheticUnit], epochs: int = 3, per_
                 leg_length=LEG_LENGTH,
                 legs=LEGS,
             )
-            clouds.append(unit.centres[e] + direction * reach(direction, shape)[:, None] + rng.normal(0, 0.005, (per_unit, 3)))
+            clouds.append(unit.centres[e] + direction * reach(direction, shape)[:, None] + rng.normal(0, noise, (per_unit, 3)))
         tiles.append((label, f"tile_{e}", np.vstack(clouds)))
     write_index(index_folder(result), tiles, np.vstack([u.centres for u in units]), 1.5 * HEIGHT)
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import shapely
 from scipy.spatial.transform import Rotation
-from synthetic_result import SRS, SyntheticUnit, make_units, write_result
+from synthetic_result import HEIGHT, SRS, SyntheticUnit, make_units, write_result
 from tetratrack.core.armour.as_built import read_as_built
 from tetratrack.core.armour.comparisons import Design, compare_design, write_design_comparison
 from tetratrack.core.armour.design_surface import design_surface
@@ -157,7 +157,7 @@ def test_a_section_with_a_vertical_face_whichever_way_it_is_drawn(axis: Axis, wa
     corners = [(0.0, 10.0), (5.0, 10.0), (5.0, 7.0), (5.0, 4.0), (12.0, 4.0), (20.0, -2.0)]
     line = np.round(np.array([[*(place + offset * left), height] for offset, height in corners]), 3)[::way]
     offset = np.array([1.0, 3.0, 4.98, 5.02, 8.0, 11.0, 16.0])
-    found = design_surface([line], axis).heights(place + offset[:, None] * left)
+    found = design_surface([line], axis, HEIGHT).heights(place + offset[:, None] * left)
     assert found == pytest.approx([10, 10, 10, 4, 4, 4, 1], abs=0.002)
 
 
@@ -166,18 +166,18 @@ def test_profiles_with_two_heights_at_one_place_are_refused() -> None:
     folded = np.array([[50.0, 0.0, 5.0], [50.0, 10.0, 5.0], [50.0, 8.0, 3.0], [50.0, 20.0, 0.0]])
     for line in (folded, folded[::-1], np.vstack([folded[[0, 1, 3]], folded[:1]])):
         with pytest.raises(InputError, match="folds back"):
-            design_surface([line], axis)
+            design_surface([line], axis, HEIGHT)
 
     def edge(offset: float, height: float) -> np.ndarray:
         return np.array([[0.0, offset, height], [100.0, offset, height]])
 
     with pytest.raises(InputError, match="one above the other"):
-        design_surface([edge(0, 10), edge(5, 10), edge(5, 4), edge(12, 4)], axis)
-    wall = design_surface([edge(0, 10), edge(5, 10), edge(5.05, 4), edge(12, 4)], axis)
+        design_surface([edge(0, 10), edge(5, 10), edge(5, 4), edge(12, 4)], axis, HEIGHT)
+    wall = design_surface([edge(0, 10), edge(5, 10), edge(5.05, 4), edge(12, 4)], axis, HEIGHT)
     assert wall.heights(np.array([[50.0, 2.0], [50.0, 8.0]])) == pytest.approx([10.0, 4.0])
     # lines along and across with a corner in common
     across = np.array([[0.0, 0.0, 10.0], [0.0, 5.0, 10.0]])
-    assert design_surface([edge(0, 10), edge(5, 10), across], axis).heights(np.array([[50.0, 2.0]])) == pytest.approx([10.0])
+    assert design_surface([edge(0, 10), edge(5, 10), across], axis, HEIGHT).heights(np.array([[50.0, 2.0]])) == pytest.approx([10.0])
 
 
 def test_what_cannot_be_compared_is_said(result: Path, tmp_path: Path) -> None:

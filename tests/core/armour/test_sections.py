@@ -13,6 +13,7 @@ import laspy
 import numpy as np
 import pytest
 import shapely
+import synthetic_result
 from synthetic_result import HEIGHT, SRS, SyntheticUnit, make_units, write_points, write_result
 from tetratrack.core.armour.as_built import read_as_built
 from tetratrack.core.armour.comparisons import profiles, write_profiles
@@ -37,17 +38,23 @@ AXIS = np.array([[200_000.0, 550_000.0], [200_100.0, 550_000.0]])
 def crest(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Four rows of upright units at one height, a fifth 3 m lower; between the epochs all sank but for the first twelve metres."""
     path = tmp_path_factory.mktemp("sections") / "result.gpkg"
+    write_crest(path)
+    state_registration(path, FRAME_SD)
+    return path
+
+
+def write_crest(path: Path, scale: float = 1.0) -> None:
+    """The structure and its points, or a model of both at a scale."""
     units = []
     for row in range(5):
         for k in range(12):
-            place = np.array([AXIS[0, 0] + 2.0 * k, AXIS[0, 1] + 1.7 * row, TOP - 0.644 * HEIGHT - (3.0 if row == 4 else 0.0)])
-            later = place + np.array([0, 0, SETTLED if k >= 6 else 0.0])
+            own = scale * np.array([2.0 * k, 1.7 * row, -0.644 * HEIGHT - (3.0 if row == 4 else 0.0)])
+            place = own + np.array([*AXIS[0], TOP])
+            later = place + np.array([0, 0, scale * SETTLED if k >= 6 else 0.0])
             turn = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1))
             units.append(SyntheticUnit(f"U{row:02d}{k:03d}", "stable", np.array([place, later]), turn))
     write_result(path, epochs=2, units=units)
-    write_points(path, units, epochs=2)
-    state_registration(path, FRAME_SD)
-    return path
+    write_points(path, units, epochs=2, noise=0.005 * scale)
 
 
 def state_registration(path: Path, sd: float) -> None:
@@ -258,6 +265,30 @@ def test_points_less_blocks(crest: Path, tmp_path: Path) -> None:
     write_result(other, 20, 2)
     with pytest.raises(InputError, match="no point index"):
         write_residual_cloud(other, tmp_path / "a.laz")
+
+
+def test_sections_and_residuals_of_a_model_are_those_of_the_structure(crest: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    scale, small = 0.05, tmp_path / "model.gpkg"
+    design = np.array([[5.0, -3.0, 0.0], [5.0, 6.0, 0.0]])
+    for name in ("HEIGHT", "RADIUS", "LEG_LENGTH"):
+        monkeypatch.setattr(synthetic_result, name, scale * getattr(synthetic_result, name))
+    write_crest(small, scale)
+    counts, shares = [], []
+    for path, factor in ((crest, 1.0), (small, scale)):
+        lines = tmp_path / f"design {factor}.gpkg"
+        line = shapely.LineString(factor * design + np.array([*AXIS[0], TOP]))
+        geopandas.GeoDataFrame(geometry=[line], crs=f"EPSG:{SRS}").to_file(lines, driver="GPKG")
+        found = write_profiles(path, tmp_path / f"sections {factor}.gpkg", axis=AXIS, step=6.0 * factor, profile=str(lines))
+        of_kind = {kind: [row["geometry"] for row in found.sections if row["kind"] == kind] for kind in ("points", "design")}
+        counts.append([len(of_kind["points"]), *(len(np.vstack(of_kind[kind])) for kind in ("points", "design"))])
+        told = write_residual_cloud(path, tmp_path / "residuals.laz")
+        cloud = laspy.read(tmp_path / "residuals.laz")
+        assert told.median == pytest.approx(0.6745 * 0.005 * factor, rel=0.3)
+        assert max(cloud.header.scales) <= 1e-3 * min(1.0, HEIGHT * factor)
+        shares.append([told.near / told.points, float(np.mean(cloud.red)) / 65_535, float(np.mean(cloud.blue)) / 65_535])
+    # walls of few points end a line sooner or later
+    assert counts[1] == pytest.approx(counts[0], rel=0.15)
+    assert shares[1] == pytest.approx(shares[0], abs=0.01)
 
 
 def test_an_axis_with_a_corner() -> None:
