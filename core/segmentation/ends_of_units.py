@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..common.arrays import BoolArray, FloatArray
-from ..common.neighbourhood import point_tree
+from ..common.neighbourhood import build_grid, point_tree
 from ..model.unit_types import UnitType
 from .leg_ends import LegEnds, LegView, leg_ends
 from .seen_through import SeenThrough
@@ -19,6 +19,8 @@ from .surface_elements import surface_noise
 
 REACHES = 1.1
 """Distance from a unit's centre, in its reaches, within which points say whether its legs are whole."""
+CELL_HEIGHTS = 0.3
+"""Edge of the cells in which a cloud's points are looked up."""
 FEWEST_POINTS = 50
 """Points of a cloud that tell its noise."""
 
@@ -42,13 +44,15 @@ def ends_of_units(
         would call any surface that crosses it a face of fracture, so that nothing is said of it.
     """
     found = [LegEnds.unseen() for _ in poses]
-    tree = point_tree(points)
+    if not len(poses) or not len(points):
+        return found
+    tree, grid = point_tree(points), build_grid(points, CELL_HEIGHTS * min(unit.height for unit in units))
     for kind in np.unique(kinds):
         unit, of_kind = units[int(kind)], kinds == kind
         noise = surface_noise(points, unit.height, tree=tree) if len(points) >= FEWEST_POINTS else 0.0
-        lines = SightLines(points, tree, poses[of_kind], unit, noise)
+        lines = SightLines(points, grid, poses[of_kind], unit, noise)
         own = np.flatnonzero(of_kind & certain)
-        around = [points[tree.query_ball_point(poses[row, :3], REACHES * unit.reach)] for row in own]
+        around = [points[grid.within(poses[row, :3], REACHES * unit.reach)] for row in own]
         views = [LegView(_body(near, poses[row]), unit, noise) for near, row in zip(around, own, strict=True)]
         whole = np.array([view.sides_to_end() for view in views], dtype=np.bool_).reshape(-1, 4)
         through = SeenThrough(points, sources, poses[own], whole, unit, noise)

@@ -21,7 +21,7 @@ from scipy.spatial import cKDTree
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.kernels import kernel
-from ..common.neighbourhood import build_grid, point_tree
+from ..common.neighbourhood import Grid, build_grid, point_tree
 from ..common.voxels import thin
 from ..model.tetrapod import leg_frame, turn_around
 from ..model.unit_types import UnitType
@@ -81,7 +81,7 @@ def leg_places(body: FloatArray, unit: UnitType) -> LegPlaces:
     lean = body @ unit.leg_directions.T
     leg = np.argmax(lean, axis=1)
     axial = lean[np.arange(len(body)), leg]
-    rho = np.sqrt(np.maximum(np.sum(body**2, axis=1) - axial**2, 0.0))
+    rho = np.sqrt(np.maximum(np.einsum("ij,ij->i", body, body) - axial**2, 0.0))
     sector = np.floor((turn_around(body, leg, unit) + math.pi) / (2 * math.pi) * SECTORS).astype(np.int64) % SECTORS
     return LegPlaces(leg, axial, rho, sector)
 
@@ -94,13 +94,13 @@ def ring_places() -> FloatArray:
 class SightLines:
     """What the cloud shows and should show of the sides of the units' legs, looked at as it is asked for."""
 
-    def __init__(self, points: FloatArray, tree: cKDTree, poses: FloatArray, unit: UnitType, noise: float) -> None:
-        """Look at (n, 3) points of a cloud, metres, and the tree of them, with units of one type in (k, 12) poses, centres and row-major
+    def __init__(self, points: FloatArray, grid: Grid, poses: FloatArray, unit: UnitType, noise: float) -> None:
+        """Look at (n, 3) points of a cloud, metres, and the grid of them, with units of one type in (k, 12) poses, centres and row-major
         rotations.
 
         ``noise`` is the standard deviation of a point across the surface, metres.
         """
-        self._points, self._raw, self._poses, self._unit = points, tree, poses, unit
+        self._points, self._raw, self._poses, self._unit = points, grid, poses, unit
         self._thinned, _ = thin(points, VOXEL_HEIGHTS * unit.height)
         self._grid = build_grid(self._thinned, CELL_HEIGHTS * unit.height)
         spacing = 0.0
@@ -131,7 +131,7 @@ class SightLines:
     def _seen(self, number: int) -> BoolArray:
         if number not in self._shown:
             pose = self._poses[number]
-            near = self._points[self._raw.query_ball_point(pose[:3], self._unit.reach)] - pose[:3]
+            near = self._points[self._raw.within(pose[:3], self._unit.reach)] - pose[:3]
             self._shown[number] = _seen(near @ pose[3:].reshape(3, 3), self._unit, self._tolerance)
         return self._shown[number]
 

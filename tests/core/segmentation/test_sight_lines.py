@@ -6,8 +6,8 @@ from functools import partial
 
 import numpy as np
 import pytest
-from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
+from tetratrack.core.common.neighbourhood import build_grid
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.segmentation.leg_ends import BROKEN, LegView, leg_ends
@@ -55,7 +55,7 @@ def scene(rng: np.random.Generator, *, broken: bool, roof: bool = False) -> tupl
 @pytest.mark.parametrize(("broken", "roof", "expected"), [(True, False, True), (False, False, False), (False, True, False)])
 def test_a_leg_is_missed_where_what_lies_behind_it_is_seen(broken: bool, roof: bool, expected: bool) -> None:
     cloud, poses = scene(np.random.default_rng(4), broken=broken, roof=roof)
-    lines = SightLines(cloud, cKDTree(cloud), poses, UNIT, 0.008)
+    lines = SightLines(cloud, build_grid(cloud, 0.5), poses, UNIT, 0.008)
     body = (cloud - poses[0, :3]) @ poses[0, 3:].reshape(3, 3)
     ends = leg_ends(LegView(body[np.linalg.norm(body, axis=1) < 1.1 * UNIT.reach], UNIT, 0.008), partial(lines.missing, 0))
     assert (ends.states[1] == BROKEN) == expected
@@ -66,7 +66,7 @@ def test_a_leg_is_missed_where_what_lies_behind_it_is_seen(broken: bool, roof: b
 
 def test_shafts_alone_are_open_to_the_directions_to_which_they_are_among_all_patches() -> None:
     cloud, poses = scene(np.random.default_rng(5), broken=False)
-    alone, all_patches = (SightLines(cloud, cKDTree(cloud), poses, UNIT, 0.008) for _ in range(2))
+    alone, all_patches = (SightLines(cloud, build_grid(cloud, 0.5), poses, UNIT, 0.008) for _ in range(2))
     for number in range(2):
         shafts = alone.look_at_shafts(number)
         assert shafts.any()
