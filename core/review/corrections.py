@@ -26,7 +26,7 @@ from .bodies import redraw_bodies
 from .decisions import settle, writing
 from .pose_consequences import NewPose, carry_displacements, connect_epochs, drop_velocities, write_features, write_pose
 from .pose_from_picks import nearest_labels
-from .unit_records import DELETE_ROW, RENAME_ROW, insert_row, place_of, rows_of_unit
+from .unit_records import DELETE_ROW, RENAME_ROW, columns_of, insert_row, place_of, rows_of_unit
 
 UNDO = "undo"
 """Kind of a row of ``unit_edits`` that takes another back."""
@@ -169,8 +169,7 @@ def delete_unit(path: Path, unit_id: str, *, editor: str, comment: str = "") -> 
         _prepare(connection)
         before = rows_of_unit(connection, unit_id)
         place = place_of(before)
-        for layer, rows in before.items():
-            connection.executemany(DELETE_ROW[layer], [(row["fid"],) for row in rows])
+        _delete_rows(connection, before)
         _log(connection, "delete", unit_id, "", place, comment, editor, {"deleted": before})
 
 
@@ -192,13 +191,15 @@ def merge_units(path: Path, keep: str, other: str, *, editor: str, comment: str 
         place = place_of(gone)
         # where one of them was found, the other's "lost", "unseen" or "new" no longer holds
         absent = {row["epoch"] for row in kept["units"]}
-        stale = [row for row in kept["units"] if row["geom"] is None and row["epoch"] in found[1]]
-        stale += [row for row in gone["units"] if row["geom"] is None and row["epoch"] in absent]
-        stale_fids = {row["fid"] for row in stale}
-        connection.executemany(DELETE_ROW["units"], [(fid,) for fid in stale_fids])
-        for layer, statement in RENAME_ROW.items():
-            names = [(keep, row["fid"]) for row in gone.get(layer, []) if layer != "units" or row["fid"] not in stale_fids]
-            connection.executemany(statement, names)
+        stale = {"units": [row for row in kept["units"] if row["geom"] is None and row["epoch"] in found[1]]}
+        stale["units"] += [row for row in gone["units"] if row["geom"] is None and row["epoch"] in absent]
+        # so does a place where it was looked for, of which one is enough where both are missing
+        gaps = kept.get("gaps", [])
+        stale["gaps"] = [row for row in gaps if row["epoch"] in found[1]]
+        stale["gaps"] += [row for row in gone.get("gaps", []) if row["epoch"] in found[0] | {row["epoch"] for row in gaps}]
+        for layer, rows in gone.items():
+            connection.executemany(RENAME_ROW[layer], [(keep, row["fid"]) for row in rows])
+        _delete_rows(connection, stale)
         connection.execute(
             "UPDATE units SET status = 'found' WHERE unit_id = ? AND status IN ('new', 'relocated') AND geom IS NOT NULL", (keep,)
         )
@@ -212,7 +213,7 @@ def merge_units(path: Path, keep: str, other: str, *, editor: str, comment: str 
             place,
             comment,
             editor,
-            {"deleted": {"units": stale}, "renamed": gone, "changed": kept, "added": added},
+            {"deleted": stale, "renamed": gone, "changed": _computed(kept), "added": added},
         )
 
 
@@ -237,17 +238,15 @@ def split_unit(path: Path, unit_id: str, epoch: str, *, editor: str, comment: st
             )
         taken = {str(row["unit_id"]) for row in connection.execute("SELECT DISTINCT unit_id FROM units")}
         name = next(f"{unit_id}{letter}" for letter in "bcdefghijklmnopqrstuvwxyz" if f"{unit_id}{letter}" not in taken)
-        for layer in ("units", "feature_points", "check_residuals"):
-            connection.executemany(RENAME_ROW[layer], [(name, row["fid"]) for row in before.get(layer, []) if row["epoch"] in later])
-        for layer in ("displacements", "displacements_other"):
-            across = [row for row in before.get(layer, []) if (row["epoch_from"] in later) != (row["epoch_to"] in later)]
-            connection.executemany(DELETE_ROW[layer], [(row["fid"],) for row in across])
-            inside = [row for row in before.get(layer, []) if row["epoch_from"] in later and row["epoch_to"] in later]
+        for layer, rows in before.items():
+            across = [row for row in rows if "epoch_from" in row and (row["epoch_from"] in later) != (row["epoch_to"] in later)]
+            _delete_rows(connection, {layer: across})
+            inside = [row for row in rows if all(row[key] in later for key in ("epoch", "epoch_from", "epoch_to") if key in row)]
             connection.executemany(RENAME_ROW[layer], [(name, row["fid"]) for row in inside])
         first = min(found & later, key=lambda label: times[label])
         connection.execute("UPDATE units SET status = 'new' WHERE unit_id = ? AND epoch = ?", (name, first))
         drop_velocities(connection, before)
-        _log(connection, "split", unit_id, epoch, place, comment, editor, {"changed": before, "name": name})
+        _log(connection, "split", unit_id, epoch, place, comment, editor, {"changed": _computed(before), "name": name})
         return name
 
 
@@ -283,7 +282,11 @@ def set_pose(path: Path, unit_id: str, epoch: str, pose: NewPose, *, editor: str
         else:
             added = connect_epochs(connection, unit_id, found, {epoch})
         drop_velocities(connection, before)
-        _log(connection, "pose", unit_id, epoch, place, comment, editor, {"changed": before, "added": added})
+        # it is not missing there any more, and what was compared with its displacements was compared with others
+        stale = {"gaps": [row for row in before.get("gaps", []) if row["epoch"] == epoch]}
+        stale["cross_checks"] = [row for row in before.get("cross_checks", []) if epoch in (row["epoch_from"], row["epoch_to"])]
+        _delete_rows(connection, stale)
+        _log(connection, "pose", unit_id, epoch, place, comment, editor, {"changed": _computed(before), "added": added})
 
 
 def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
@@ -318,6 +321,9 @@ def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
                 for old in replaced:
                     connection.execute(DELETE_ROW[layer], (old["fid"],))
                     insert_row(connection, layer, {name: bytes.fromhex(v) if name == "geom" and v else v for name, v in old.items()})
+        if "name" in before and columns_of(connection, "manual_picks"):
+            # those made since the split, too: the name is gone
+            connection.execute("UPDATE manual_picks SET unit_id = ? WHERE unit_id = ?", (row["unit_id"], before["name"]))
         redraw_bodies(connection, touched)
         connection.execute("UPDATE unit_edits SET undone = 1 WHERE fid = ?", (number,))
         _log(connection, UNDO, row["unit_id"], row["epoch"] or "", row["geom"], "", editor, {}, undoes=number)
@@ -332,6 +338,17 @@ def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
             undone=True,
             undone_by=editor,
         )
+
+
+def _delete_rows(connection: sqlite3.Connection, rows: dict[str, list[Row]]) -> None:
+    """Delete rows by layer."""
+    for layer, found in rows.items():
+        connection.executemany(DELETE_ROW[layer], [(row["fid"],) for row in found])
+
+
+def _computed(rows: dict[str, list[Row]]) -> dict[str, list[Row]]:
+    """Rows without those picked by hand: a correction that leaves them alone must not bring back what was picked anew since."""
+    return {layer: found for layer, found in rows.items() if layer != "manual_picks"}
 
 
 def _touched(edit: Row) -> set[str]:

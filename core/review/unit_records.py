@@ -7,35 +7,27 @@ import sqlite3
 from ..common.arrays import FloatArray
 from ..common.errors import InputError
 from ..results.geopackage_reader import Row, query
+from ..results.schema import LAYERS
 
-SELECT_OF_UNIT = {
-    "units": "SELECT * FROM units WHERE unit_id = ?",
-    "feature_points": "SELECT * FROM feature_points WHERE unit_id = ?",
-    "displacements": "SELECT * FROM displacements WHERE unit_id = ?",
-    "displacements_other": "SELECT * FROM displacements_other WHERE unit_id = ?",
-    "check_residuals": "SELECT * FROM check_residuals WHERE unit_id = ?",
-    "velocities": "SELECT * FROM velocities WHERE unit_id = ?",
-}
-DELETE_ROW = {
-    "units": "DELETE FROM units WHERE fid = ?",
-    "feature_points": "DELETE FROM feature_points WHERE fid = ?",
-    "displacements": "DELETE FROM displacements WHERE fid = ?",
-    "displacements_other": "DELETE FROM displacements_other WHERE fid = ?",
-    "check_residuals": "DELETE FROM check_residuals WHERE fid = ?",
-    "velocities": "DELETE FROM velocities WHERE fid = ?",
-}
-RENAME_ROW = {
-    "units": "UPDATE units SET unit_id = ? WHERE fid = ?",
-    "feature_points": "UPDATE feature_points SET unit_id = ? WHERE fid = ?",
-    "check_residuals": "UPDATE check_residuals SET unit_id = ? WHERE fid = ?",
-    "displacements": "UPDATE displacements SET unit_id = ? WHERE fid = ?",
-    "displacements_other": "UPDATE displacements_other SET unit_id = ? WHERE fid = ?",
-}
+MADE_ELSEWHERE = frozenset({"unit_outlines", "unit_surfaces", "placement", "reviews"})
+"""Layers that corrections draw again or let lapse as a whole, and decisions, which follow the numbers."""
+OF_UNITS = (*(name for name, layer in LAYERS.items() if "unit_id" in layer.names and name not in MADE_ELSEWHERE), "manual_picks")
+"""Layers whose rows belong to a unit and go with its name."""
+# the names are those of the schema
+SELECT_OF_UNIT = {layer: f"SELECT * FROM {layer} WHERE unit_id = ?" for layer in OF_UNITS}  # noqa: S608  # nosec B608
+SELECT_ROW = {layer: f"SELECT * FROM {layer} WHERE fid = ?" for layer in OF_UNITS}  # noqa: S608  # nosec B608
+DELETE_ROW = {layer: f"DELETE FROM {layer} WHERE fid = ?" for layer in OF_UNITS}  # noqa: S608  # nosec B608
+RENAME_ROW = {layer: f"UPDATE {layer} SET unit_id = ? WHERE fid = ?" for layer in OF_UNITS}  # noqa: S608  # nosec B608
 
 
 def tables_of(connection: sqlite3.Connection) -> set[str]:
     """Names of all tables in the file."""
     return {str(row["name"]) for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+
+
+def columns_of(connection: sqlite3.Connection, table: str) -> list[str]:
+    """Names of the columns of a table; none where there is no such table."""
+    return [str(column["name"]) for column in connection.execute("SELECT name FROM pragma_table_info(?)", (table,))]
 
 
 def rows_of_unit(connection: sqlite3.Connection, unit_id: str) -> dict[str, list[Row]]:
@@ -46,8 +38,7 @@ def rows_of_unit(connection: sqlite3.Connection, unit_id: str) -> dict[str, list
     InputError
         There is no such unit.
     """
-    present = tables_of(connection)
-    rows = {layer: query(connection, statement, (unit_id,)) for layer, statement in SELECT_OF_UNIT.items() if layer in present}
+    rows = {layer: query(connection, SELECT_OF_UNIT[layer], (unit_id,)) for layer in OF_UNITS if "unit_id" in columns_of(connection, layer)}
     if not rows["units"]:
         raise InputError("there is no such unit", where=f"unit {unit_id}", remedy="Open the result again; it may have been deleted.")
     for layer, found in rows.items():
@@ -58,22 +49,13 @@ def rows_of_unit(connection: sqlite3.Connection, unit_id: str) -> dict[str, list
 
 def raw_row(connection: sqlite3.Connection, layer: str, fid: int) -> Row:
     """One row as stored, its geometry as a blob."""
-    statements = {
-        "units": "SELECT * FROM units WHERE fid = ?",
-        "feature_points": "SELECT * FROM feature_points WHERE fid = ?",
-        "displacements": "SELECT * FROM displacements WHERE fid = ?",
-        "displacements_other": "SELECT * FROM displacements_other WHERE fid = ?",
-        "check_residuals": "SELECT * FROM check_residuals WHERE fid = ?",
-        "velocities": "SELECT * FROM velocities WHERE fid = ?",
-    }
-    row = connection.execute(statements[layer], (fid,)).fetchone()
+    row = connection.execute(SELECT_ROW[layer], (fid,)).fetchone()
     return dict(row)
 
 
 def insert_row(connection: sqlite3.Connection, layer: str, row: Row) -> int:
     """Insert what a row holds of the layer's columns; the number it got."""
-    columns = [str(column["name"]) for column in connection.execute("SELECT name FROM pragma_table_info(?)", (layer,))]
-    present = [name for name in columns if name in row]
+    present = [name for name in columns_of(connection, layer) if name in row]
     quoted = ", ".join('"' + name.replace('"', '""') + '"' for name in present)
     marks = ", ".join("?" * len(present))
     # layer and columns come from the file's own catalogue, values are bound

@@ -30,6 +30,7 @@ from tetratrack.core.review.corrections import (
 from tetratrack.core.review.decisions import confirm, decide, read_history, read_reviews, settle_decisions
 from tetratrack.core.review.pose_consequences import NewPose, chi2_3_survival
 from tetratrack.core.review.pose_from_picks import nearest_labels, pose_from_features
+from tetratrack.core.review.unit_records import OF_UNITS
 
 PAIR = EpochPair("2023-04-09", "2024-04-09")
 SD = np.array([0.004, 0.004, 0.003])
@@ -304,3 +305,109 @@ def test_deciding_and_correcting_at_once_lose_nothing(result: Path) -> None:
 def result_rows(result: Path) -> list[str]:
     rows = read_layer_rows(result, "units")
     return sorted(f"{r['unit_id']} {r['epoch']} {None if r['geom'] is None else np.round(r['geom'], 6)}" for r in rows)
+
+
+PICKED_BY = "Anna"
+
+
+def _pick(result: Path, unit: str, epoch: str, east: float = 1.0) -> None:
+    store_picks(result, unit, epoch, {"f123": [east, 2.0, 3.0]}, editor=PICKED_BY)
+
+
+def _with_every_layer(result: Path, units: list[str]) -> None:
+    """Give units a row in each layer that names units and that the made-up result leaves empty of them."""
+    with closing(sqlite3.connect(result)) as connection, connection:
+        for unit in units:
+            for row in (("2023-04-09", "2024-04-09"), ("2024-04-09", "2025-04-09")):
+                connection.execute(
+                    "INSERT INTO cross_checks (unit_id, epoch_from, epoch_to, difference) VALUES (?, ?, ?, 0.001)", (unit, *row)
+                )
+            connection.execute(
+                "INSERT INTO velocities (unit_id, feature, epoch_from, epoch_to) VALUES (?, 'centre', '2023-04-09', '2025-04-09')", (unit,)
+            )
+            connection.execute("INSERT INTO gaps (unit_id, epoch, kind, status) VALUES (?, '2025-04-09', 'lost', 'placeholder')", (unit,))
+
+
+def _rows_of(result: Path, unit: str) -> dict[str, int]:
+    """Rows of a unit by table, as far as it has any; the records of who did what keep the name."""
+    with closing(sqlite3.connect(result)) as connection:
+        tables = [
+            name
+            for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'").fetchall()
+            if name not in ("unit_edits", "review_log")
+            and "unit_id" in [column[1] for column in connection.execute(f"PRAGMA table_info('{name}')")]
+        ]
+        counts = {name: connection.execute(f"SELECT count(*) FROM {name} WHERE unit_id = ?", (unit,)).fetchone()[0] for name in tables}  # noqa: S608 - names of the file
+    return {name: count for name, count in counts.items() if count}
+
+
+def _all_rows(result: Path) -> dict[str, list[tuple[object, ...]]]:
+    with closing(sqlite3.connect(result)) as connection:
+        return {layer: connection.execute(f"SELECT * FROM {layer} ORDER BY fid").fetchall() for layer in OF_UNITS}  # noqa: S608 - names of the schema
+
+
+def _tracked(result: Path) -> list[str]:
+    return [u for u, epochs in _epochs_of_units(result).items() if len(epochs) == 3]
+
+
+def test_a_deleted_unit_leaves_nothing_behind(result: Path) -> None:
+    unit = _tracked(result)[0]
+    _with_every_layer(result, [unit])
+    _pick(result, unit, PAIR.epoch_to)
+    decide(result, [unit], PAIR, "accepted", comment="", reviewer="Anna")
+    assert set(_rows_of(result, unit)) >= {*OF_UNITS, "reviews"} - {"check_residuals"}
+    before = _all_rows(result)
+    delete_unit(result, unit, editor="Ben")
+    assert _rows_of(result, unit) == {}
+    undo_edit(result, read_edits(result)[-1].number, editor="Ben")
+    assert _all_rows(result) == before
+
+
+def test_a_split_and_a_merge_take_every_row_along(result: Path) -> None:
+    unit = _tracked(result)[0]
+    _with_every_layer(result, [unit])
+    _pick(result, unit, "2023-04-09")
+    _pick(result, unit, "2025-04-09")
+    before = _all_rows(result)
+    name = split_unit(result, unit, "2025-04-09", editor="Ben")
+    mine, others = _rows_of(result, unit), _rows_of(result, name)
+    assert (mine["cross_checks"], others.get("cross_checks", 0)) == (1, 0), "the one across the split compares two units"
+    assert (mine["manual_picks"], others["manual_picks"]) == (1, 1)
+    assert (mine.get("gaps", 0), others["gaps"]) == (0, 1)
+    merge_units(result, unit, name, editor="Ben")
+    assert _rows_of(result, name) == {}
+    assert [pick["epoch"] for pick in read_picks(result, unit)] == ["2023-04-09", "2025-04-09"]
+    for _ in range(2):
+        undo_edit(result, last_edit_of(result, "Ben").number, editor="Ben")
+    assert _all_rows(result) == before
+
+
+def test_where_one_was_found_the_other_is_not_missing(result: Path) -> None:
+    unit = _tracked(result)[0]
+    _pick(result, unit, "2023-04-09")
+    name = split_unit(result, unit, "2025-04-09", editor="Ben")
+    with closing(sqlite3.connect(result)) as connection, connection:
+        statement = "INSERT INTO gaps (unit_id, epoch, kind, status) VALUES (?, ?, 'lost', 'placeholder')"
+        connection.executemany(statement, [(unit, "2025-04-09"), (name, "2024-04-09"), (unit, "2026-04-09"), (name, "2026-04-09")])
+    before = _all_rows(result)
+    merge_units(result, unit, name, editor="Ben")
+    assert [row["epoch"] for row in read_layer_rows(result, "gaps") if row["unit_id"] in (unit, name)] == ["2026-04-09"]
+    undo_edit(result, read_edits(result)[-1].number, editor="Ben")
+    assert _all_rows(result) == before
+
+
+def test_picks_made_since_a_correction_outlive_its_end(result: Path) -> None:
+    unit, other = _tracked(result)[:2]
+    _pick(result, unit, PAIR.epoch_to)
+    _with_every_layer(result, [unit])
+    set_pose(result, unit, PAIR.epoch_to, _moved_pose(result, unit, PAIR.epoch_to, 0.1), editor="Ben")
+    assert "cross_checks" not in _rows_of(result, unit), "they compare with the earlier pose"
+    _pick(result, unit, PAIR.epoch_to, 7.0)
+    name = split_unit(result, other, PAIR.epoch_to, editor="Ben")
+    _pick(result, name, PAIR.epoch_to)
+    for _ in range(2):
+        undo_edit(result, last_edit_of(result, "Ben").number, editor="Ben")
+    assert [pick["geom"][0] for pick in read_picks(result, unit)] == [7.0]
+    assert len(read_picks(result, other)) == 1
+    assert _rows_of(result, name) == {}
+    assert _rows_of(result, unit)["cross_checks"] == 2
