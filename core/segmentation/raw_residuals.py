@@ -30,6 +30,9 @@ UNKNOWN = (0.26, 1.0, 0.0)
 FIT_LIMIT, FIT_ROUNDS, MOST_FITTED = 4.0, 10, 1500
 """Distance from the surface, in standard deviations of a point, at which a point no longer draws a pose (Tukey's biweight); rounds; points
 of a pose that take part."""
+BROKEN_FROM, BROKEN_POINTS, BROKEN_SHARE = 0.5, 8, 0.03
+"""Of a leg's length, beyond which nothing is asked of a leg whose end seems to be broken off, obliquely as a rule; points inside its outer
+part, at the fewest and as a share of those on the surface, where it does."""
 LARGEST_STEP, RIDGE = 0.05, 1e-3
 """Of a round, as a share of the height; added to the diagonal of the normal matrix, as a share of its mean over shifts: the turn about a
 leg may be open."""
@@ -64,16 +67,38 @@ def raw_residuals(
         for k in range(first, len(poses)):
             near = grid.within(poses[k, :3], reach)
             near = near[((labels[near] == k) | (labels[near] < 0)) & ~doubtful[near]]
-            poses[k] = _settled(poses[k], points[near[:: -(-len(near) // MOST_FITTED) or 1]], unit, noise)
+            poses[k] = _settled(poses[k], points[near], unit, noise)
     labels, doubtful = _owned(points, poses, unit, noise)
     for k in range(first, len(poses)):
         near = grid.within(poses[k, :3], reach)
         near = near[(labels[near] == k) | (labels[near] < 0)]
-        body = (points[near] - poses[k, :3]) @ poses[k, 3:].reshape(3, 3)
-        relation = relate(body, unit)
-        own = ~doubtful[near] & (relation.axial < TIP_RATIO * unit.leg_length)
-        out[k] = _of_pose(relation, _patches(body, relation, unit), relation.distance / noise, own, unit)
+        out[k] = _of_points(poses[k], points[near], doubtful[near], unit, noise, settle=settle)
     return out
+
+
+def _of_points(pose: FloatArray, points: FloatArray, doubtful: BoolArray, unit: UnitType, noise: float, *, settle: bool) -> FloatArray:
+    """(3,) of one (12,) pose from (n, 3) points around it that are no other's; ``doubtful`` (n,) says which of them may be.
+
+    Where points reach into a leg its end is broken off: from there on it draws the pose no more, and nothing is asked of it.
+    """
+    body, relation = _in_body(points, pose, unit)
+    leg = _broken_leg(relation, relation.distance / noise, unit)
+    if leg >= 0:
+        kept = ~_beyond_break(relation, leg, unit)
+        if settle:
+            pose = _settled(pose, points[kept & ~doubtful], unit, noise)
+            body, relation = _in_body(points, pose, unit)
+            kept = ~_beyond_break(relation, leg, unit)
+        points, doubtful = points[kept], doubtful[kept]
+        body, relation = _in_body(points, pose, unit)
+    own = ~doubtful & (relation.axial < TIP_RATIO * unit.leg_length)
+    return _of_pose(relation, _patches(body, relation, unit), relation.distance / noise, own, unit, forgiven=leg >= 0)
+
+
+def _in_body(points: FloatArray, pose: FloatArray, unit: UnitType) -> tuple[FloatArray, SurfaceRelation]:
+    """(n, 3) points in the body frame of a (12,) pose, and how they lie to its surface."""
+    body = (points - pose[:3]) @ pose[3:].reshape(3, 3)
+    return body, relate(body, unit)
 
 
 def _owned(points: FloatArray, poses: FloatArray, unit: UnitType, noise: float) -> tuple[IntArray, BoolArray]:
@@ -84,6 +109,7 @@ def _owned(points: FloatArray, poses: FloatArray, unit: UnitType, noise: float) 
 
 def _settled(pose: FloatArray, points: FloatArray, unit: UnitType, noise: float) -> FloatArray:
     """A (12,) pose where (n, 3) points lie closest to it: robust least squares of their distances."""
+    points = points[:: -(-len(points) // MOST_FITTED) or 1]
     centre, turn = pose[:3], pose[3:].reshape(3, 3)
     for _ in range(FIT_ROUNDS):
         body = (points - centre) @ turn
@@ -113,8 +139,26 @@ def _patches(body: FloatArray, relation: SurfaceRelation, unit: UnitType) -> Int
     return np.asarray(CELLS_PER_LEG * relation.leg + within)
 
 
-def _of_pose(relation: SurfaceRelation, patch: IntArray, residual: FloatArray, own: BoolArray, unit: UnitType) -> FloatArray:
-    """(3,) of one pose from (n,) residuals in standard deviations; ``own`` (n,) whether they are no other unit's, nor of a rounded tip."""
+def _broken_leg(relation: SurfaceRelation, residual: FloatArray, unit: UnitType) -> int:
+    """The leg into whose outer part points reach, of (n,) residuals in standard deviations; -1 where none is."""
+    inside = np.bincount(relation.leg[(residual < -WINDOW) & (relation.axial > OUTER_SHARE * unit.leg_length)], minlength=4)
+    leg = int(np.argmax(inside))
+    fewest = max(BROKEN_POINTS, BROKEN_SHARE * np.count_nonzero(np.abs(residual) < WINDOW))
+    return leg if inside[leg] >= fewest else -1
+
+
+def _beyond_break(relation: SurfaceRelation, leg: int, unit: UnitType) -> BoolArray:
+    """(n,) whether points lie where a leg is no more."""
+    return np.asarray((relation.leg == leg) & (relation.axial > BROKEN_FROM * unit.leg_length))
+
+
+def _of_pose(
+    relation: SurfaceRelation, patch: IntArray, residual: FloatArray, own: BoolArray, unit: UnitType, *, forgiven: bool
+) -> FloatArray:
+    """(3,) of one pose from (n,) residuals in standard deviations.
+
+    ``own`` (n,) says whether they are no other unit's, nor of a rounded tip; ``forgiven`` whether points of a broken leg are left out.
+    """
     on = np.abs(residual) < WINDOW
     if not on.any():
         return np.array(UNKNOWN)
@@ -131,5 +175,5 @@ def _of_pose(relation: SurfaceRelation, patch: IntArray, residual: FloatArray, o
         within = (squares[full].sum() - between) / (count[full].sum() - patches)
     depth = np.where(residual < -DEEP, 3.0, np.where(residual < -WINDOW, 1.0, 0.0))
     outer = np.bincount(relation.leg, depth * (relation.axial > OUTER_SHARE * unit.leg_length), minlength=4)
-    inside = (depth.sum() - outer.max()) / np.count_nonzero(on)
+    inside = (depth.sum() - (0.0 if forgiven else outer.max())) / np.count_nonzero(on)
     return np.array([chi_square, within, np.log(inside + LEAST_SHARE)])

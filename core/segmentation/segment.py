@@ -18,6 +18,7 @@ from .innermost_layer import innermost_layer
 from .pose_evidence import NUMBER_OF_CELLS, evidence
 from .pose_refinement import refine
 from .pose_score import (
+    FINE_TOLERANCE,
     RICH,
     SPARSE,
     SURE_ALONE,
@@ -30,6 +31,7 @@ from .pose_score import (
     where_bridged,
 )
 from .raw_residuals import raw_residuals
+from .restarts import begun_anew
 from .scene import COLUMNS, Evidence, Scene
 from .shared_noise import neighbours_share_noise
 from .smoothed_surface import NOISY_RATIO, smoothed
@@ -69,6 +71,9 @@ ELEMENTS_OF_DENSE_CELL = 18.0
 """Supporting elements per cell of sure units in the clouds on which these were counted; see :func:`fewest_found_cells`."""
 SHARED_RATIO = 0.02
 """Tolerance that the noise asks for, as a share of the height, beyond which it is asked whether neighbours share it."""
+IN_DOUBT = (0.02, 0.99)
+"""Scores between which a pose in noise is begun anew from poses around it, where the tolerance is fine: beyond, rock gains by it as units
+do."""
 MOST_INTERPENETRATION, MOST_IN_NOISE = 0.01, 0.02
 """Share of its volume by which the weaker of two units may enter the stronger and still be stated as found, the second where noise was
 taken off the elements or neighbours share it: poses are less exact there, and in noise of 3.3 % of the height units that touch seem to
@@ -221,6 +226,11 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     scores = score_among(found, poses[:, :3], scene.tolerance, typical, unit)
     residuals = None
     if scene.smoothed:
+        if scene.tolerance <= FINE_TOLERANCE * unit.height:
+            doubted = (scores > IN_DOUBT[0]) & (scores < IN_DOUBT[1])
+            doubtful = contested(scene.points, owner, poses, unit, CLEARANCE_IN_NOISE * elements.element_noise)
+            poses, found = begun_anew(poses, found, doubted, scene, owner, doubtful, seed)
+            scores = score_among(found, poses[:, :3], scene.tolerance, typical, unit)
         residuals = raw_residuals(points, poses, unit, thinned.noise)
         scores = score_with_residuals(scores, residuals, found.support)
     poses, certainty = settle_twists(poses, found, scores >= FOUND_SCORE, scene, owner)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from tetratrack.core.model.pose import Pose
+from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.segmentation.pose_score import MOST_LOG_ODDS, USUAL_RESIDUALS, score_with_residuals
 from tetratrack.core.segmentation.raw_residuals import LEAST_CHI_SQUARE, LEAST_SHARE, UNKNOWN, raw_residuals
@@ -72,6 +73,25 @@ def test_points_inside_speak_against_a_pose_but_for_one_broken_leg(cloud):
     )
     assert broken == pytest.approx(whole, abs=0.05)
     assert hollow > whole + 1
+
+
+def test_a_broken_leg_end_draws_no_pose_and_speaks_against_none():
+    rng, noise = np.random.default_rng(6), 0.013 * H
+    surface = cloud_of(UNIT, (TRUE,), 1e-6, rng, count=3000).points
+    body = TRUE.to_body(surface)
+    relation = relate(body, UNIT)
+    # the end of leg 0 is gone from an oblique plane on, in which points lie as densely as on the leg
+    across = np.linalg.svd(UNIT.leg_directions[:1])[2][1:]
+    limit = 0.7 * UNIT.leg_length + body @ (0.2 * across[0])
+    gone = (relation.leg == 0) & (relation.axial > limit)
+    radius, angle = 0.8 * UNIT.radius * np.sqrt(rng.random(gone.sum())), rng.uniform(0, 2 * np.pi, gone.sum())
+    face = radius[:, None] * (np.cos(angle)[:, None] * across[0] + np.sin(angle)[:, None] * across[1])
+    body[gone] = face + (0.7 * UNIT.leg_length + face @ (0.2 * across[0]))[:, None] * UNIT.leg_directions[0]
+    whole, broken = (
+        raw_residuals(points + rng.normal(0, noise, points.shape), row(TRUE)[None], UNIT, noise)[0]
+        for points in (surface, TRUE.to_frame(body))
+    )
+    assert broken == pytest.approx(whole, abs=0.3)
 
 
 def test_what_hardly_any_point_tells_stays_as_it_is(cloud):

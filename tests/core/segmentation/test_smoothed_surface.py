@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.model.unit_types import UnitType
+from tetratrack.core.segmentation import segment as segment_module
 from tetratrack.core.segmentation.pose_score import (
     AMONG_HEIGHTS,
     RICH,
@@ -18,6 +19,7 @@ from tetratrack.core.segmentation.pose_score import (
     score,
     score_among,
 )
+from tetratrack.core.segmentation.restarts import begun_anew
 from tetratrack.core.segmentation.scene import Evidence, Scene
 from tetratrack.core.segmentation.segment import FOUND_SCORE, segment
 from tetratrack.core.segmentation.smoothed_surface import NOISY_RATIO, smoothed
@@ -68,12 +70,22 @@ def test_noise_is_taken_off_elements_and_their_normals(noisy_cloud):
     assert np.mean(cosines(result.points[bent], result.normals[bent]) > 0.9) > 0.8
 
 
-def test_units_are_found_in_noise(noisy_cloud):
+def test_units_are_found_in_noise(noisy_cloud, monkeypatch):
+    asked = []
+
+    def spied(poses, found, doubted, *others):
+        asked.append((len(poses), len(doubted)))
+        return begun_anew(poses, found, doubted, *others)
+
+    monkeypatch.setattr(segment_module, "begun_anew", spied)
     units = [u for u in segment(noisy_cloud, UNIT).units if u.status == "found"]
     centres = np.array([u.pose.centre for u in units])
     away = [np.linalg.norm(centres - pose.centre, axis=1).min() for pose in ROWS]
     assert len(units) == len(ROWS)
     assert max(away) < 0.03 * H
+    # what is in doubt begins anew, once
+    assert len(asked) == 1
+    assert asked[0][0] == asked[0][1] >= len(ROWS)
 
 
 def test_the_place_decides_where_the_elements_do_not():
