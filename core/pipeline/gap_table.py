@@ -13,6 +13,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..common.arrays import FloatArray
+from ..data.occupancy import merged
 from ..model.unit_types import UnitType
 from ..registration.frame_correction import FrameCorrection
 from ..registration.transformation import Transformation
@@ -181,11 +182,70 @@ def look_into_tiles(
     return {label: clearest(gaps, height) for label, gaps in found.items()}
 
 
+@dataclass(frozen=True, eq=False, kw_only=True)
+class CoveredGround:
+    """Where an epoch has points at all, by their extent and the cells that they were counted in when its tiles were checked; neither
+    depends on the tiling.
+
+    Attributes
+    ----------
+    low, high
+        (2,) south-western and north-eastern corner of the extent, metres.
+    columns
+        Easting and northing of the occupied cells, in whole cells.
+    size
+        Edge of a cell, metres.
+    transformation
+        From the epoch's cloud to the control frame.
+    correction
+        What is left of the epoch's bent frame.
+    """
+
+    low: FloatArray
+    high: FloatArray
+    columns: frozenset[tuple[int, int]]
+    size: float
+    transformation: Transformation
+    correction: FrameCorrection
+
+    def around(self, place: FloatArray, reach: float) -> bool:
+        """Whether the extent and a cell with points lie within ``reach`` metres, on either axis, of a (3,) place of the control frame."""
+        where = self.transformation.invert(place[None] + self.correction.at(place[None]))[0, :2]
+        if (where < self.low - reach).any() or (where > self.high + reach).any():
+            return False
+        low, high = (np.floor((where + side) / self.size).astype(np.int64) for side in (-reach, reach))
+        return any((e, n) in self.columns for e in range(low[0], high[0] + 1) for n in range(low[1], high[1] + 1))
+
+
+def covered_ground(
+    plans: Sequence[EpochPlan], registrations: Mapping[str, Registration], frame_errors: Sequence[Mapping[str, Any]]
+) -> dict[str, CoveredGround]:
+    """Where each epoch has points, by its label; arguments as of :func:`look_into_tiles`. Epochs with tiles that nobody looked through,
+    and so without cells, are left out."""
+    found = {}
+    for plan in plans:
+        label, parts = plan.epoch.label, [tile.cells for tile in plan.tiles if tile.cells is not None]
+        if not parts or len(parts) < len(plan.tiles):
+            continue
+        cells = merged(parts)
+        registration = registrations.get(label)
+        found[label] = CoveredGround(
+            low=np.min([tile.low[:2] for tile in plan.tiles], axis=0),
+            high=np.max([tile.high[:2] for tile in plan.tiles], axis=0),
+            columns=frozenset((int(e), int(n)) for e, n in np.unique(cells.cells[:, :2], axis=0)),
+            size=cells.size,
+            transformation=Transformation.identity(np.zeros(3)) if registration is None else registration.transformation,
+            correction=FrameCorrection.from_rows(frame_errors, label),
+        )
+    return found
+
+
 def gap_rows(
     rows: Sequence[Mapping[str, Any]],
     epochs: Sequence[tuple[str, datetime]],
     units: Sequence[UnitType],
     seen: Mapping[str, Sequence[Gap]] | None = None,
+    covered: Mapping[str, CoveredGround] | None = None,
 ) -> list[Row]:
     """Rows of the layer ``gaps``.
 
@@ -199,6 +259,9 @@ def gap_rows(
         Types of unit.
     seen
         Gaps by epoch that its own cloud shows (:func:`look_into_tiles`); without it only what other epochs know is stated.
+    covered
+        Where epochs have points (:func:`covered_ground`): units elsewhere are not missing, but out of an epoch's sight. Epochs that it
+        does not name are taken to have them everywhere.
     """
     result: list[Row] = []
     labels = [label for label, _ in epochs]
@@ -211,7 +274,10 @@ def gap_rows(
         origin: FloatArray = np.round(centres.mean(axis=0))
         tree = cKDTree(centres - origin)
         own: list[Row] = []
+        ground = None if covered is None else covered.get(label)
         for kind, row in known[label]:
+            if kind == "unseen" and ground is not None and not ground.around(row["geometry"], CLOSEST_HEIGHTS * row["height"]):
+                continue
             # where another unit lies by now, nothing is missing
             if tree.query(row["geometry"] - origin)[0] >= CLOSEST_HEIGHTS * row["height"]:
                 unit = units[int(kinds_of([row], units)[0])]

@@ -36,7 +36,7 @@ from .epoch_quality import state_quality
 from .epoch_registration import register_epochs
 from .epoch_tracking import Tables, check_tables, track_tables
 from .epoch_units import find_and_fit, segment_epochs
-from .gap_table import gap_rows, look_into_tiles
+from .gap_table import covered_ground, gap_rows, look_into_tiles
 from .local_processes import LocalProcesses, processes_for
 from .no_units import warn_of_empty
 from .run_options import RunOptions, job_runner
@@ -186,7 +186,8 @@ def _run(survey: Survey, output: Path, options: RunOptions, feedback: Feedback, 
             tables["units"], survey, plans, fitted[0].units, registrations, tables["frame_errors"], record.checksums, runner,
             beside=lay_out_units,
         )  # fmt: skip
-        tables["gaps"] = gap_rows(tables["units"], when, fitted[0].units, seen)
+        covered = covered_ground(plans, registrations, tables["frame_errors"])
+        tables["gaps"] = gap_rows(tables["units"], when, fitted[0].units, seen, covered)
         qualities = state_quality(tables["units"], fitted[0].units, [label for label, _ in when], feedback, tables["gaps"])
         tables |= {"control_residuals": [], "epochs": []}
         tables["check_residuals"], check_rmse = check_tables(survey, tables["feature_points"], feedback)

@@ -231,7 +231,8 @@ LAYERS: dict[str, Layer] = {
                 Field(
                     "kind",
                     "text",
-                    "lost (the unit's place is seen to be empty), unseen (known from another epoch, hidden or missed in this one), "
+                    "lost (the unit's place is seen to be empty), unseen (known from another epoch, hidden or missed in this one, "
+                    "where it has points), "
                     "unexplained (points of no unit lie on the surface of a unit that fits there) or hole (a unit fits there, and the "
                     "cloud reaches into its space)",
                 ),

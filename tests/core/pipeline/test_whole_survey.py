@@ -24,6 +24,8 @@ from tetratrack.core.common.errors import Cancelled, InputError, OutputError
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey import Survey
 from tetratrack.core.data.survey_reader import read_survey
+from tetratrack.core.pipeline.epoch_plans import plan_survey
+from tetratrack.core.pipeline.gap_table import covered_ground
 from tetratrack.core.pipeline.inspection import run_inspect
 from tetratrack.core.pipeline.run_options import RunOptions
 from tetratrack.core.pipeline.whole_survey import run_fit, run_segment, run_survey
@@ -235,6 +237,17 @@ def test_several_types_of_unit_compete(tiny: Path, result: Path, tmp_path: Path)
     path = tmp_path / "two.gpkg"
     run_segment(replace(survey, units=(survey.units[0], nowhere)), path, RunOptions(workers=1), Feedback())
     assert {row["unit_type"] for row in read_layer_rows(path, "units")} == {"tetrapod"}
+
+
+def test_ground_that_an_epoch_covers(tiny: Path) -> None:
+    for plan in plan_survey(read_survey(tiny / "survey.toml")):
+        ground = covered_ground([plan], {}, [])[plan.epoch.label]
+        low, high = (np.array([getattr(tile, side) for tile in plan.tiles]) for side in ("low", "high"))
+        low, high = low.min(axis=0), high.max(axis=0)
+        assert ground.around((low + high) / 2, 1.0)
+        assert not any(ground.around(place, 1.0) for place in (low - 1.1, high + 1.1))
+        unknown = replace(plan, tiles=tuple(replace(tile, cells=None) for tile in plan.tiles))
+        assert not covered_ground([unknown], {}, [])
 
 
 def test_inspect_without_crs(tmp_path: Path) -> None:

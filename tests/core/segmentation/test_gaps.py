@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from datetime import UTC, datetime
 
 import numpy as np
@@ -11,7 +12,9 @@ from scipy.spatial.transform import Rotation
 from synthetic_units import UNIT
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import relate, sample_surface
-from tetratrack.core.pipeline.gap_table import gap_rows
+from tetratrack.core.pipeline.gap_table import CoveredGround, gap_rows
+from tetratrack.core.registration.frame_correction import FrameCorrection
+from tetratrack.core.registration.transformation import Transformation
 from tetratrack.core.segmentation.gaps import Gap, armour_of, clearest, find_gaps, needed_area
 
 H = UNIT.height
@@ -128,3 +131,12 @@ def test_places_that_another_epoch_knows() -> None:
     assert json.loads(lost["nearest_units"]) == ["U1", "U4", "U5"]
     assert lost["radius"] == pytest.approx(np.hypot(UNIT.leg_length, UNIT.end_radius))
     assert [g["kind"] for g in gap_rows(rows, TIMES, [UNIT])] == ["unseen", "lost", "unseen"]
+    # U3 lies 4 H to the east: where an epoch has no points, it misses nothing
+    for boxed, cells, kinds in ((3.6, 5, ["lost", "unseen"]), (3.4, 5, ["lost"]), (4.6, 3, ["lost"])):
+        ground = CoveredGround(
+            low=np.array([-H, -H]), high=np.array([boxed * H, H]), size=H,
+            columns=frozenset((e, n) for e in range(-1, cells) for n in (-1, 0)),
+            transformation=replace(Transformation.identity(far), origin_from=np.zeros(3)), correction=FrameCorrection.none(),
+        )  # fmt: skip
+        own = [g["kind"] for g in gap_rows(rows, TIMES, [UNIT], covered={"b": ground}) if g["epoch"] == "b"]
+        assert own == kinds
