@@ -139,9 +139,10 @@ def settlement_rows(stretches: Sequence[Row], axis: Axis, level: float) -> list[
     """Rows of ``settlement`` from those of ``stretches``: each drawn at a height (metres) as the part of the axis about its units.
 
     Each pair of epochs counts chainage from the first of its own units, which a result does not name: the middle of its units is known.
+    Rows without that place cannot be drawn and are left out.
     """
     rows = []
-    for row in stretches:
+    for row in (row for row in stretches if row["geom"] is not None):
         middle, half_length = float(axis.locate(row["geom"][None])[0][0]), (float(row["along_to"]) - float(row["along_from"])) / 2
         ends = [axis.frame(middle + sign * half_length)[0] for sign in (-1, 1)]
         half = Z_95 * float(row["sd_h"])
