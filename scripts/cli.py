@@ -603,6 +603,8 @@ def design(
         wanted = design_of(plan=plan, profile=profile, reference=reference, axis=axis, **limits)
         with foreign_contents(result):
             found = write_design_comparison(result, output, wanted, epoch)
+        if found.plan is not None and found.plan.doubt:
+            feedback.warning(found.plan.doubt)
         return {"output": str(output), "epoch": found.epoch} | found.counts
 
     _run(quiet, log_file, json_progress, step)

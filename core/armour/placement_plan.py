@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..common.arrays import FloatArray
+from ..common.arrays import FloatArray, IntArray
 from ..results.geopackage_reader import Row
 from ..results.unit_rows import Z_95, sd_of_length
 from .as_built import AsBuilt
@@ -18,6 +18,8 @@ from .placement import turns
 
 SEARCH_HEIGHTS = 1.0
 """A unit farther than this from every free place stands at none, heights H."""
+MUCH_NEARER = 0.5
+"""Distance of the nearest unit from a planned place over that of the unit of its name, below which the name is another unit's."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,10 +32,19 @@ class Tolerance:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class PlanComparison:
-    """Rows of ``plan_deviations`` and ``plan_unmatched``, and how many units were judged within, outside, and open."""
+    """Units against their planned places.
+
+    Attributes
+    ----------
+    deviations, unmatched
+        Rows of ``plan_deviations`` and ``plan_unmatched``.
+    doubt
+        What is to be known of the names by which units were paired, or were not; '' for nothing.
+    """
 
     deviations: list[dict[str, Any]]
     unmatched: list[dict[str, Any]]
+    doubt: str = ""
 
     def count(self, verdict: str) -> int:
         """Units with a verdict."""
@@ -58,16 +69,23 @@ class PlanComparison:
 def compare_with_plan(model: AsBuilt, plan: PlacementPlan, tolerance: Tolerance) -> PlanComparison:
     """Units of an epoch less their planned places.
 
-    A unit stands at the place of its own name where all names of the plan are names of units; else pairs are formed from the nearest on, up
-    to one height H.
+    A unit stands at the place of its own name where all names of the plan are names of units, and at most planned places no other unit
+    stands much nearer; else pairs are formed from the nearest on, up to one height H. Runs name units anew: a plan may bear the names of an
+    earlier one.
     """
     names = [unit.unit_id for unit in model.units]
     centres = np.array([unit.shape.centre for unit in model.units])
     reach = SEARCH_HEIGHTS * max(float(unit.row["height"]) for unit in model.units)
+    pairs, doubt = nearest_pairs(plan.places, centres, reach), ""
     if set(plan.ids) <= set(names):
-        pairs = [(k, names.index(name)) for k, name in enumerate(plan.ids)]
-    else:
-        pairs = nearest_pairs(plan.places, centres, reach)
+        number = {name: k for k, name in enumerate(names)}
+        named = np.array([number[name] for name in plan.ids])
+        other = _others_stand_there(plan.places, centres, named)
+        by_name = 2 * other <= len(named)
+        pairs = list(enumerate(named.tolist())) if by_name else pairs
+        if other:
+            how = "all were paired by name" if by_name else "units were paired by place instead"
+            doubt = f"at {other} of {len(named)} planned places another unit stands much nearer than the one of that name: {how}"
     deviations = [_deviation(model, plan, tolerance, planned, built) for planned, built in sorted(pairs)]
     at = {planned for planned, _ in pairs}
     standing = {built for _, built in pairs}
@@ -75,7 +93,15 @@ def compare_with_plan(model: AsBuilt, plan: PlacementPlan, tolerance: Tolerance)
     extra = [k for k in range(len(names)) if k not in standing]
     unmatched = [_unmatched("missing", plan.places[k], centres, model.epoch) | {"plan_id": plan.ids[k]} for k in missing]
     unmatched += [_unmatched("extra", centres[k], plan.places, model.epoch) | {"unit_id": names[k]} for k in extra]
-    return PlanComparison(deviations=deviations, unmatched=unmatched)
+    return PlanComparison(deviations=deviations, unmatched=unmatched, doubt=doubt)
+
+
+def _others_stand_there(places: FloatArray, centres: FloatArray, named: IntArray) -> int:
+    """Planned places (n, 3) at which a unit stands much nearer than the one with its name, by number (n,) among the ``centres``."""
+    from scipy.spatial import cKDTree
+
+    nearest = cKDTree(centres).query(places)[0]
+    return int(np.sum(nearest < MUCH_NEARER * np.linalg.norm(centres[named] - places, axis=1)))
 
 
 def nearest_pairs(first: FloatArray, second: FloatArray, reach: float) -> list[tuple[int, int]]:

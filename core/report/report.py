@@ -268,6 +268,9 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
         drawn_series = _series(details, moved, epochs, datum, translate)
         drawn_views = _views(details, moved, pair, datum, points, translate)
         worst.append(WorstUnit(moved, reviews.get(moved.unit_id), drawn_views, drawn_series))
+    structure = structure_pages(
+        result, pair, (early, late), kept, sizes, replace(options.structure, axis=options.axis), translate, clouds=points.clouds
+    )
     return ReportData(
         name=str(settings.get("survey") or result.stem),
         crs=crs_of(result).name,
@@ -289,14 +292,12 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
         counts={kind: sum(row.kind == kind for row in rows if row.unit_id not in rejected) for kind in CLASS_COLOURS},
         figures=drawn,
         details=tuple(detail_maps(kept, shapes, translate)),
-        structure=structure_pages(
-            result, pair, (early, late), kept, sizes, replace(options.structure, axis=options.axis), translate, clouds=points.clouds
-        ),
+        structure=structure,
         explorer=explorer_data(kept, (early, late), control, decisions, pair, translate),
         settings=settings,
         written=datetime.now(UTC),
         software=f"tetratrack {software_version()}",
-        notes=tuple(points.notes),
+        notes=(*points.notes, *structure.notes),
     )
 
 

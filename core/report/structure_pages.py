@@ -50,6 +50,12 @@ class StructurePages:
     words: Mapping[str, str]
 
     @property
+    def notes(self) -> tuple[str, ...]:
+        """What whoever asked for the report is to be told of them."""
+        plan = None if self.design is None else self.design.plan
+        return () if plan is None or not plan.doubt else (plan.doubt,)
+
+    @property
     def reaches(self) -> list[tuple[float, list[Mapping[str, Any]]]]:
         """Rows of the crest by chainage."""
         found: dict[float, list[Mapping[str, Any]]] = {}

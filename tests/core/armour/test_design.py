@@ -13,10 +13,15 @@ from scipy.spatial.transform import Rotation
 from synthetic_result import HEIGHT, SRS, SyntheticUnit, make_units, write_result
 from tetratrack.core.armour.as_built import read_as_built
 from tetratrack.core.armour.comparisons import Design, compare_design, write_design_comparison
+from tetratrack.core.armour.design_files import PlacementPlan
 from tetratrack.core.armour.design_surface import design_surface
-from tetratrack.core.armour.placement_plan import Tolerance
+from tetratrack.core.armour.placement_plan import Tolerance, compare_with_plan
 from tetratrack.core.common.axis import Axis
 from tetratrack.core.common.errors import InputError, OutputError
+from tetratrack.core.report.report import ReportOptions, write_report
+from tetratrack.core.report.structure_pages import StructureOptions
+from tetratrack.scripts.cli import app
+from typer.testing import CliRunner
 
 MILLIMETRE = 1e-3
 SHIFT = np.array([0.120, -0.050, 0.080])
@@ -146,6 +151,40 @@ def test_a_design_profile_to_a_millimetre(result: Path, tmp_path: Path, form: st
         assert row["off_outer"] - row["off_centre"] == pytest.approx(np.max(tips), abs=MILLIMETRE)
         far = abs(expected) > 0.3
         assert row["verdict"] in ({"outside", "open"} if far else {"within", "open"})
+
+
+@pytest.mark.parametrize(("moved_on", "by_name"), [(30, False), (6, True), (0, True)])
+def test_names_of_another_run_do_not_pair_units_with_the_places_of_others(result: Path, moved_on: int, by_name: bool) -> None:
+    model = read_as_built(result)
+    centres = np.array([unit.shape.centre for unit in model.units])
+    order = np.arange(30)
+    order[:moved_on] = np.roll(order[:moved_on], 1)
+    plan = PlacementPlan(
+        ids=tuple(unit.unit_id for unit in model.units),
+        places=centres[order] - SHIFT,
+        rotations=np.tile(np.eye(3), (30, 1, 1)),
+        turned=np.zeros(30, dtype=bool),
+    )
+    found = compare_with_plan(model, plan, Tolerance(place=0.5))
+    assert [row["plan_id"] == row["unit_id"] for row in found.deviations].count(True) == (30 if by_name else 0)
+    assert found.median == pytest.approx(np.linalg.norm(SHIFT), abs=MILLIMETRE)
+    assert found.count("outside") == (moved_on if by_name else 0)
+    assert (f"at {moved_on} of 30 planned places" in found.doubt) == (moved_on > 0)
+    assert ("by name" if by_name else "by place") in found.doubt or not moved_on
+
+
+def test_names_that_are_not_followed_are_said_by_the_command_and_the_report(result: Path, tmp_path: Path) -> None:
+    units = read_as_built(result).units
+    names = np.roll([unit.unit_id for unit in units], 1)
+    lines = [f"{name}," + ",".join(f"{value:.4f}" for value in unit.shape.centre) for name, unit in zip(names, units, strict=True)]
+    plan = tmp_path / "plan.csv"
+    plan.write_text("unit_id,easting,northing,height\n" + "\n".join(lines) + "\n", encoding="utf-8")
+    told = CliRunner().invoke(app, ["design", str(result), "-o", str(tmp_path / "deviations.gpkg"), "--plan", str(plan)])
+    assert told.exit_code == 0
+    assert "paired by place" in " ".join(told.output.split())
+    structure = StructureOptions(design=Design(plan=str(plan)))
+    notes = write_report(result, tmp_path / "report.html", ReportOptions(structure=structure)).notes
+    assert any("paired by place" in note for note in notes)
 
 
 @pytest.mark.parametrize("axis", [Axis(np.array([[0.0, 0.0], [100.0, 0.0]])), Axis(np.array([[5e5, 6e6], [500_077.3, 6_000_044.1]]))])
