@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess  # nosec B404 - starts this command itself, with a list of arguments
 import sys
 import time
@@ -25,6 +26,9 @@ SETTLED_SECONDS = 5.0
 """A tile whose size stands still this long counts as copied completely."""
 LONGEST_PAUSE = 3600.0
 """Seconds between two tries of a run that failed for a passing reason, at most."""
+KILL = 9
+"""Signal by which a system that runs out of memory ends a process."""
+MEMORY = "If nobody ended it, memory ran out: try fewer --workers."
 ENGINE = Path(__file__).with_name("engine.py")
 
 
@@ -104,10 +108,11 @@ def watch(survey: Path, options: Sequence[str], interval: float, once: bool, fee
     state_file = result_of(survey).with_suffix(".watched")
     done = state_file.read_text(encoding="utf-8", errors="replace") if state_file.is_file() else ""
     waiting, refused, tries = "", "", 0
+    known: dict[Path, tuple[tuple[int, int], str]] = {}
     while True:
         pause = interval
         try:
-            state = _settled_state(survey)
+            state = settled_state(survey, known)
         except InputError as error:
             if once:
                 raise
@@ -145,7 +150,7 @@ def _ended(outcome: Outcome) -> dict[str, Any]:
         raise Cancelled("cancelled")
     if outcome.code == BAD_INPUT:
         raise InputError(outcome.problem or "the run was refused", remedy=outcome.remedy)
-    raise TetratrackError(outcome.problem or f"the run ended with exit code {outcome.code}")
+    raise TetratrackError(outcome.problem, remedy=outcome.remedy)
 
 
 def _run(survey: Path, options: Sequence[str], feedback: Feedback) -> Outcome:
@@ -179,10 +184,23 @@ def _run(survey: Path, options: Sequence[str], feedback: Feedback) -> Outcome:
             process.terminate()
             raise
     code = process.returncode
+    if code not in (DONE, INTERRUPTED) and not problem:
+        # what is killed says nothing itself
+        problem = f"the run was ended by {_name_of_signal(-code)}" if code < 0 else f"the run ended with exit code {code}"
+        remedy = MEMORY if code == -KILL else ""
+        feedback.warning(f"{survey.stem}: error: {problem}{'. ' if remedy else ''}{remedy}")
+        return Outcome(code, problem, remedy, passing=True)
     if code == DONE and not (reported and result.is_file()):
         return Outcome(1, f"{result} was not written though the run ended well", passing=True)
     # one error holds the remedy in its message already
     return Outcome(code, problem.removesuffix(remedy).rstrip(), remedy, passing and code not in (DONE, INTERRUPTED))
+
+
+def _name_of_signal(number: int) -> str:
+    try:
+        return f"signal {number} ({signal.Signals(number).name})"
+    except ValueError:
+        return f"signal {number}"
 
 
 def _event(line: str) -> dict[str, Any]:
@@ -194,8 +212,13 @@ def _event(line: str) -> dict[str, Any]:
     return event if isinstance(event, dict) else {"event": "log", "level": "info", "message": line.rstrip()}
 
 
-def _settled_state(survey: Path) -> str:
+def settled_state(survey: Path, known: dict[Path, tuple[tuple[int, int], str]]) -> str:
     """Checksum of the survey and all its inputs.
+
+    Parameters
+    ----------
+    known
+        Size and time of change of files with their checksums, by path: what is as it was is not read again. Brought up to date here.
 
     Raises
     ------
@@ -203,17 +226,24 @@ def _settled_state(survey: Path) -> str:
         Something is missing, or is still being copied.
     """
     described = read_survey(survey)
-    files = [survey, *(path for epoch in described.epochs for path in epoch.files)]
-    sizes = [_size(path) for path in files]
+    files = [survey, *(path for path in described.files if path != described.path)]
+    stamps = [_stamp(path) for path in files]
     time.sleep(SETTLED_SECONDS)
-    changing = next((path for path, size in zip(files, sizes, strict=True) if size is None or _size(path) != size), None)
-    if changing is not None:
-        raise InputError("is still being copied", source=changing, remedy="Look again when the copy is complete.")
-    return "\n".join(f"{checksum(path)}  {path}" for path in files)
+    lines = []
+    for path, stamp in zip(files, stamps, strict=True):
+        if stamp is None or _stamp(path) != stamp:
+            raise InputError("is still being copied", source=path, remedy="Look again when the copy is complete.")
+    for path, stamp in zip(files, stamps, strict=True):
+        if stamp is not None and known.get(path, (None, ""))[0] != stamp:
+            known[path] = stamp, checksum(path)
+        lines.append(f"{known[path][1]}  {path}")
+    return "\n".join(lines)
 
 
-def _size(path: Path) -> int | None:
+def _stamp(path: Path) -> tuple[int, int] | None:
+    """Size and time of the last change; None where the file is gone."""
     try:
-        return path.stat().st_size
+        status = path.stat()
     except OSError:
         return None
+    return status.st_size, status.st_mtime_ns

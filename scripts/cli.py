@@ -280,9 +280,10 @@ def track(
     """Identity, datum and displacements from the fitted units of several epochs."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.data.file_patterns import given_paths
         from ..core.pipeline.layer_tracking import run_track
 
-        return run_track(units, registration or [], output, feedback, frame)
+        return run_track(units, given_paths(registration or []), output, feedback, frame)
 
     _run(quiet, log_file, json_progress, step)
 
@@ -341,9 +342,10 @@ def register_views(
     """Register overlapping views of a depth camera into one cloud."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.data.file_patterns import given_paths
         from ..core.pipeline.single_steps import run_register_views
 
-        return run_register_views(views, output, voxel, feedback)
+        return run_register_views(given_paths(views), output, voxel, feedback)
 
     _run(quiet, log_file, json_progress, step)
 
@@ -762,9 +764,10 @@ def batch(
     """Run many surveys one after the other; one that fails does not end the others (exit code 2 at the end)."""
 
     def step(feedback: Feedback) -> dict[str, Any]:
+        from ..core.data.file_patterns import given_paths
         from .batch import run_batch
 
-        return run_batch(surveys, _run_options(workers, scheduler, resume), feedback)
+        return run_batch(given_paths(surveys), _run_options(workers, scheduler, resume), feedback)
 
     _run(quiet, log_file, json_progress, step, FINISHED)
 

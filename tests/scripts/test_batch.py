@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import hashlib
+import re
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from las_files import grid_points, write_las
+from tetratrack.core.common.errors import InputError, TetratrackError
 from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.data.survey import LayerFile
+from tetratrack.core.data.survey_reader import read_survey
+from tetratrack.core.pipeline import layer_tracking, single_steps
 from tetratrack.core.results.geopackage_reader import read_layer_rows
 from tetratrack.scripts import batch
 from tetratrack.scripts.cli import app
@@ -63,6 +71,69 @@ def test_watch_runs_what_is_new_and_only_that(tmp_path: Path, quick: None) -> No
     _site(tmp_path, "2024", "2025")
     assert batch.watch(survey, options, 1, True, Feedback()) == {"runs": 1}
     assert [row["label"] for row in read_layer_rows(tmp_path / "survey.gpkg", "epochs")] == ["2024", "2025"]
+
+
+def test_a_run_that_the_system_ends_is_told(tmp_path: Path, quick: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Out of memory: the engine is killed and says nothing itself."""
+    survey = _site(tmp_path, "2024")
+    engine = tmp_path / "engine.py"
+    monkeypatch.setattr(batch, "ENGINE", engine)
+    for script, said in (
+        ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", r"ended by signal 9 \(SIGKILL\).*fewer --workers"),
+        ("import os; os.abort()", r"ended by signal 6 \(SIGABRT\)"),
+        ("raise SystemExit(7)", "ended with exit code 7"),
+    ):
+        engine.write_text(script, encoding="utf-8")
+        told: list[str] = []
+        with pytest.raises(InputError, match="1 of 1 surveys failed"):
+            batch.run_batch([survey], [], Feedback(warning=told.append))
+        assert re.search(f"^survey: error: the run (was )?{said}", told[-1])
+        with pytest.raises(TetratrackError, match=said):
+            batch.watch(survey, [], 1, True, Feedback())
+
+
+def test_batch_takes_patterns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Shells of Windows leave patterns to the program."""
+    surveys = [_site(tmp_path / name, "2024") for name in ("one", "two")]
+    ran: list[Path] = []
+    monkeypatch.setattr(batch, "_run", lambda survey, *_: ran.append(survey) or batch.Outcome(0))
+    assert CliRunner().invoke(app, ["batch", str(tmp_path / "*" / "survey.toml")]).exit_code == 0
+    assert ran == surveys
+
+
+def test_views_and_registrations_take_patterns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    paths = [write_las(tmp_path / f"view{k}.laz", grid_points()) for k in range(2)]
+    given: list[Sequence[Path]] = []
+    monkeypatch.setattr(single_steps, "run_register_views", lambda views, *_: given.append(views) or {})
+    monkeypatch.setattr(layer_tracking, "run_track", lambda units, registrations, *_: given.append(registrations) or {})
+    pattern = str(tmp_path / "view*.laz")
+    assert CliRunner().invoke(app, ["register-views", pattern, "-o", str(tmp_path / "all.laz")]).exit_code == 0
+    units = ["track", str(paths[0]), "-o", str(tmp_path / "r.gpkg")]
+    assert CliRunner().invoke(app, [*units, "--registration", pattern]).exit_code == 0
+    assert given == [paths, paths]
+
+
+def test_watch_sees_every_file_of_a_survey_and_reads_what_changed_alone(
+    tmp_path: Path, quick: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    survey = _site(tmp_path, "2024")
+    areas, mould = tmp_path / "areas.geojson", tmp_path / "mould.json"
+    for path in (areas, mould):
+        path.write_text("{}")
+    described = replace(read_survey(survey), stable_areas=LayerFile(areas, ""), moulds=(mould,))
+    monkeypatch.setattr(batch, "read_survey", lambda _: described)
+    read: list[Path] = []
+    monkeypatch.setattr(batch, "checksum", lambda path: read.append(path) or hashlib.sha256(path.read_bytes()).hexdigest())
+    known: dict[Path, tuple[tuple[int, int], str]] = {}
+    first = batch.settled_state(survey, known)
+    assert read == [survey, areas, mould, tmp_path / "2024" / "a.laz"]
+    assert batch.settled_state(survey, known) == first
+    assert len(read) == 4
+    for path in (areas, mould):
+        path.write_text('{"new": 1}')
+        assert batch.settled_state(survey, known) != first
+        assert read.pop() == path
+        first = batch.settled_state(survey, known)
 
 
 class _Enough(Exception):
