@@ -53,11 +53,14 @@ class NamedDate:
         ``DAY``, ``MONTH`` or ``YEAR``.
     swapped
         The other reading of a date such as 05.04.2024, month first; None where there is but one.
+    short
+        Six digits, which may as well be a coordinate.
     """
 
     day: date
     exactness: int
     swapped: date | None = None
+    short: bool = False
 
     @property
     def label(self) -> str:
@@ -99,7 +102,7 @@ def _date(parts: dict[str, str | None], exactness: int, swappable: bool) -> Name
         day, other = other, None
     if day is None:
         return None
-    return NamedDate(day, exactness, other if other != day else None)
+    return NamedDate(day, exactness, other if other != day else None, parts.get("short") is not None)
 
 
 def _valid(year: int, month: int, day: int) -> date | None:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, date, datetime, time, timedelta
 from itertools import pairwise
 from pathlib import Path
+
+import numpy as np
 
 from ..common.errors import InputError
 from .dates_in_names import DAY, NamedDate, date_in_name
@@ -24,6 +27,9 @@ SAME_GROUND = 0.5
 """Share of the smaller extent that two groups of tiles must have in common to be two looks at the same ground."""
 ONE_EPOCH_DAYS = 2
 """Tiles without dates in their names whose GPS times lie closer than this are one epoch."""
+EARLIER = re.compile(r"before|(?<![a-z])(pre|old|first|initial|baseline|vor|vorher|avant|antes)(?![a-z])|前|전")
+LATER = re.compile(r"after|(?<![a-z])(post|new|second|final|repeat|nach|nachher|apr[eè]s|depois|despu[eé]s)(?![a-z])|后|後|후")
+"""Words of folders that hold one of two looks at the same ground."""
 NOON = time(12, tzinfo=UTC)
 
 
@@ -41,12 +47,15 @@ class FoundTile:
         Date in the name of its folder, or of the file; None where there is none.
     place
         Folder, or file, whose name holds that date; else the folder the tile lies in.
+    otherwise
+        What ``named`` and ``place`` are if six digits of the file's name are no date; None where they do not count.
     """
 
     info: TileInfo
     dates: TileDates
     named: NamedDate | None
     place: Path
+    otherwise: tuple[NamedDate | None, Path] | None = None
 
 
 @dataclass(frozen=True)
@@ -63,6 +72,8 @@ class FoundEpoch:
         What label and time come from, as a comment.
     notes
         What a user should look at: tiles that overlap or repeat each other.
+    questions
+        What the tiles leave open: whether folders of the same ground are one epoch.
     """
 
     label: str
@@ -70,6 +81,7 @@ class FoundEpoch:
     tiles: tuple[TileInfo, ...]
     reason: str
     notes: tuple[str, ...] = ()
+    questions: tuple[str, ...] = ()
 
     @property
     def extent(self) -> tuple[float, float, float, float]:
@@ -104,7 +116,8 @@ def find_tiles(roots: Iterable[Path], progress: Callable[[float, str], None] = l
         named, place = _named(path, root)
         info = inspect_tile(path, None)
         if info.used:
-            out.append(FoundTile(info, tile_dates(path), named, place))
+            otherwise = _named(path, root, short=False) if named is not None and named.short and place == path else None
+            out.append(FoundTile(info, tile_dates(path), named, place, otherwise))
     if not out:
         folder = next(iter(places)).parent
         raise InputError("holds tiles without a single point that can be used", source=folder, remedy="Give other tiles.")
@@ -131,7 +144,7 @@ def clouds_in(root: Path) -> list[Path]:
 
 def group_epochs(tiles: Sequence[FoundTile]) -> list[FoundEpoch]:
     """Epochs in order of time: by dates in names, else by GPS time, by folders that show the same ground, or all in one."""
-    tiles, repeats = _without_repeats(tiles)
+    tiles, repeats = _without_repeats(_with_sure_dates(tiles))
     groups: dict[tuple[str, Path | None], list[FoundTile]] = {}
     dated = [tile for tile in tiles if tile.named is not None]
     for tile in dated:
@@ -140,8 +153,9 @@ def group_epochs(tiles: Sequence[FoundTile]) -> list[FoundEpoch]:
     epochs = [_dated_epoch(label, place, members) for (label, place), members in groups.items()]
     rest = [tile for tile in tiles if tile.named is None]
     epochs += [_undated_epoch(members, by) for members, by in _undated_groups(rest)]
+    epochs = [replace(epoch, questions=_question(epoch, tiles)) for epoch in epochs]
     epochs = [replace(epoch, notes=(*epoch.notes, *repeats.get(epoch.tiles[0].path, ()))) for epoch in epochs]
-    return _distinct(sorted(epochs, key=lambda epoch: (epoch.time, epoch.label)))
+    return _distinct(sorted(epochs, key=lambda epoch: (epoch.time, _turn(epoch.label), epoch.label)))
 
 
 def share_in_common(a: tuple[float, float, float, float], b: tuple[float, float, float, float]) -> float:
@@ -179,16 +193,64 @@ def _what_else(root: Path) -> str:
     return f"It holds {', '.join(others)}: export them as LAZ." if others else "Give the folder that holds your tiles."
 
 
-def _named(path: Path, root: Path) -> tuple[NamedDate | None, Path]:
+def _named(path: Path, root: Path, *, short: bool = True) -> tuple[NamedDate | None, Path]:
     """Date of the deepest folder whose name holds one, sharpened by the file's; and what carries it."""
     folders = [parent for parent in path.parents if parent == root or root in parent.parents]
     of_folder = next(((found, folder) for folder in folders if (found := date_in_name(folder.name)) is not None), None)
     of_file = date_in_name(path.stem, years_alone=False)
+    if of_file is not None and of_file.short and not short:
+        of_file = None
     if of_folder is None:
         return (of_file, path) if of_file is not None else (None, path.parent)
     if of_file is not None and of_file.exactness < of_folder[0].exactness and of_folder[0].holds(of_file.day):
         return of_file, path
     return of_folder
+
+
+def _with_sure_dates(tiles: Sequence[FoundTile]) -> list[FoundTile]:
+    """Tiles whose six digits are dates only where these part looks at the same ground, or the points' GPS time says the same.
+
+    Tiles are often named after their coordinates: 250310 is an easting as well as a day.
+    """
+    folders: dict[str, list[FoundTile]] = {}
+    for tile in tiles:
+        named = tile.named if tile.otherwise is None else tile.otherwise[0]
+        folders.setdefault("" if named is None or tile.place.is_file() else named.label, []).append(tile)
+    doubtful = set()
+    for members in folders.values():
+        looks: dict[str, list[FoundTile]] = {}
+        for tile in members:
+            looks.setdefault(tile.named.label if tile.named else "", []).append(tile)
+        short = [tile for tile in members if tile.otherwise is not None]
+        if len(looks) < 2 or all(_measured_then(tile) for tile in short):
+            # of one day alone, a wrong one parts nothing
+            short = [tile for tile in short if len(looks) < 2 and tile.dates.measured is not None and not _measured_then(tile)]
+        elif any(_ground_in_common(a, b) > SAME_GROUND for k, a in enumerate(looks.values()) for b in list(looks.values())[:k]):
+            continue
+        doubtful |= {tile.info.path for tile in short}
+    return [
+        replace(tile, named=tile.otherwise[0], place=tile.otherwise[1], otherwise=None)
+        if tile.otherwise is not None and tile.info.path in doubtful
+        else tile
+        for tile in tiles
+    ]
+
+
+def _measured_then(tile: FoundTile) -> bool:
+    """Whether the points' GPS time is of the day that the name says, or of one beside it."""
+    return tile.named is not None and tile.dates.measured is not None and abs((tile.dates.measured.date() - tile.named.day).days) <= 1
+
+
+def _ground_in_common(one: Sequence[FoundTile], other: Sequence[FoundTile]) -> float:
+    """Share of the tiles' extents of the smaller of two groups that tiles of the larger cover."""
+    a, b = (np.array([(*tile.info.low[:2], *tile.info.high[:2]) for tile in group], dtype=np.float64) for group in (one, other))
+    areas = [np.prod(boxes[:, 2:] - boxes[:, :2], axis=1) for boxes in (a, b)]
+    if areas[0].sum() > areas[1].sum():
+        a, b, areas = b, a, areas[::-1]
+    whole = float(areas[0].sum())
+    sides = np.minimum(a[:, None, 2:], b[None, :, 2:]) - np.maximum(a[:, None, :2], b[None, :, :2])
+    shared = np.minimum(np.prod(np.maximum(sides, 0.0), axis=2).sum(axis=1), areas[0])
+    return float(shared.sum()) / whole if whole > 0 else 0.0
 
 
 def _without_repeats(tiles: Sequence[FoundTile]) -> tuple[list[FoundTile], dict[Path, tuple[str, ...]]]:
@@ -217,9 +279,52 @@ def _split_by_place(groups: dict[tuple[str, Path | None], list[FoundTile]]) -> d
             by_place.setdefault(tile.place if tile.place.is_dir() else tile.place.parent, []).append(tile)
         if len(by_place) > 1 and _same_ground(list(by_place.values())):
             out |= {(label, place): own for place, own in by_place.items()}
+        elif (looks := _looks(members)) and _are_told(looks):
+            out |= {(label, place): own for place, own in looks.items()}
         else:
             out[label, None] = members
     return out
+
+
+def _looks(tiles: Iterable[FoundTile]) -> dict[Path, list[FoundTile]]:
+    """Tiles by the folder they lie in, where every two of these show the same ground; else none."""
+    folders: dict[Path, list[FoundTile]] = {}
+    for tile in tiles:
+        folders.setdefault(tile.info.path.parent, []).append(tile)
+    groups = list(folders.values())
+    same = len(groups) > 1 and all(_ground_in_common(a, b) > SAME_GROUND for k, a in enumerate(groups) for b in groups[:k])
+    return folders if same else {}
+
+
+def _are_told(looks: Mapping[Path, Sequence[FoundTile]]) -> bool:
+    """Whether folders are called before and after, or were measured on days well apart; strips of one survey show the same ground, too."""
+    days = sorted(sorted(tile.dates.measured.date() for tile in own if tile.dates.measured) for own in looks.values())
+    timed = bool(days) and all(tile.dates.measured for own in looks.values() for tile in own)
+    if timed and all((later[0] - earlier[-1]).days >= ONE_EPOCH_DAYS for earlier, later in pairwise(days)):
+        return True
+    return sorted(_turn(folder.name) for folder in looks) == [-1, 1]
+
+
+def _turn(name: str) -> int:
+    """-1 for a name that says before, 1 for one that says after, else 0."""
+    return bool(LATER.search(name.lower())) - bool(EARLIER.search(name.lower()))
+
+
+def _question(epoch: FoundEpoch, found: Sequence[FoundTile]) -> tuple[str, ...]:
+    """Whether folders of the same ground, measured on several days or in a month or year alone, are one epoch: nothing else tells."""
+    paths = {tile.path for tile in epoch.tiles}
+    tiles = [tile for tile in found if tile.info.path in paths]
+    looks = _looks(tiles)
+    exact = any(tile.named is not None and tile.named.exactness == DAY for tile in tiles)
+    days = [{tile.dates.measured.date() if tile.dates.measured else None for tile in own} for own in looks.values()]
+    apart = all(a.isdisjoint(b) for k, a in enumerate(days) for b in days[:k])
+    undated = all(None in own for own in days)
+    if not looks or exact or not (apart or (undated and any(tile.named is not None for tile in tiles))):
+        return ()
+    names = " and ".join(sorted(folder.name for folder in looks))
+    return (
+        f"{epoch.label}: folders {names} show the same ground and are taken as one epoch; if they are several, add dates to their names",
+    )
 
 
 def _same_ground(groups: Sequence[Sequence[FoundTile]]) -> bool:
@@ -269,7 +374,11 @@ def _undated_groups(tiles: Sequence[FoundTile]) -> list[tuple[list[FoundTile], s
     if not tiles:
         return []
     if all(tile.dates.measured is not None for tile in tiles):
-        return [(group, "gps") for group in _by_days(tiles, [t.dates.measured.date() for t in tiles if t.dates.measured])]
+        groups: list[tuple[list[FoundTile], str]] = []
+        for group in _by_days(tiles, [t.dates.measured.date() for t in tiles if t.dates.measured]):
+            looks = _looks(group)
+            groups += [(own, "folder") for own in looks.values()] if _are_told(looks) else [(group, "gps")]
+        return groups
     by_folder: dict[Path, list[FoundTile]] = {}
     for tile in tiles:
         by_folder.setdefault(tile.place, []).append(tile)
@@ -277,9 +386,9 @@ def _undated_groups(tiles: Sequence[FoundTile]) -> list[tuple[list[FoundTile], s
         return [(group, "folder") for group in by_folder.values()]
     made = [tile.dates.made for tile in tiles]
     if all(day is not None for day in made):
-        groups = _by_days(tiles, [day for day in made if day is not None])
-        if len(groups) > 1 and _same_ground(groups):
-            return [(group, "made") for group in groups]
+        by_day = _by_days(tiles, [day for day in made if day is not None])
+        if len(by_day) > 1 and _same_ground(by_day):
+            return [(group, "made") for group in by_day]
     return [(list(tiles), "all")]
 
 

@@ -127,6 +127,7 @@ def _draft(
     """The draft, given its epochs and the tables of points of each."""
     crs, crs_reason, crs_questions, tiles_crs = _crs(found, given.crs)
     crs_questions += _scale_question(found, crs)
+    crs_questions += [question for epoch in epochs for question in epoch.questions]
     warnings = [f"{epoch.label}: {note}" for epoch in epochs for note in epoch.notes]
     warnings += [*_epoch_warnings(epochs), *notes]
     drafts = tuple(_epoch(epoch, mine, tiles_crs) for epoch, mine in zip(epochs, tables, strict=True))

@@ -108,6 +108,16 @@ def test_a_missing_crs_is_asked_for(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a_20240409.laz"]
 
 
+def test_folders_that_may_be_two_epochs_are_asked_about(tmp_path: Path) -> None:
+    for k in (1, 2):
+        (tmp_path / "site_2024" / f"run{k}").mkdir(parents=True)
+        write_las(tmp_path / "site_2024" / f"run{k}" / "a.laz", grid_points() + 0.1 * k)
+    text, _ = _init(tmp_path / "site_2024", "--height", 2.3)
+    assert "ASK: 2024: folders run1 and run2 show the same ground" in text
+    refused = CliRunner().invoke(app, ["run", str(tmp_path / "site_2024"), "--height", "2.3", "--output", str(tmp_path / "result.gpkg")])
+    assert (refused.exit_code, "add dates to their names" in refused.stderr) == (2, True)
+
+
 def test_a_folder_with_its_own_survey_says_all_itself(tmp_path: Path) -> None:
     own = tmp_path / "survey.toml"
     own.write_text("[survey]\n", encoding="utf-8")

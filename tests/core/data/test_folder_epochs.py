@@ -98,3 +98,78 @@ def test_scans_count_where_no_tiles_stand_beside_them(tmp_path: Path) -> None:
         open3d.t.io.write_point_cloud(tmp_path / folder / "scan.ply", cloud)
     assert sorted(tile.info.path.name for tile in find_tiles([tmp_path])) == ["scan.ply", "tile.LAZ"]
     assert [tile.info.path.name for tile in find_tiles([tmp_path / "a" / "scan.ply"])] == ["scan.ply"]
+
+
+def _coordinates(folder: Path, days: list[int | None], names: list[str]) -> None:
+    """Tiles side by side under these names."""
+    for k, (name, day) in enumerate(zip(names, days, strict=True)):
+        _tile(folder / f"{name}.laz", k * EAST, None if day is None else datetime(2024, 6, day, tzinfo=UTC))
+
+
+EASTINGS = [f"tile_{e}_4180100" for e in (250310, 250320, 250330, 250340, 250410)]
+
+
+def test_coordinates_of_six_digits_are_no_dates(tmp_path: Path) -> None:
+    _coordinates(tmp_path / "one", [None] * 5, EASTINGS)
+    (epoch,) = group_epochs(find_tiles([tmp_path / "one"]))
+    assert len(epoch.tiles) == 5
+    _coordinates(tmp_path / "timed", [3] * 5, EASTINGS)
+    assert [epoch.label for epoch in group_epochs(find_tiles([tmp_path / "timed"]))] == ["2024-06-03"]
+    for year in ("2024", "2025"):
+        _coordinates(tmp_path / "years" / year, [None] * 5, EASTINGS)
+    assert [(epoch.label, len(epoch.tiles)) for epoch in group_epochs(find_tiles([tmp_path / "years"]))] == [("2024", 5), ("2025", 5)]
+    _coordinates(tmp_path / "single", [3], EASTINGS[:1])
+    assert [epoch.label for epoch in group_epochs(find_tiles([tmp_path / "single"]))] == ["2024-06-03"]
+
+
+def test_six_digits_that_part_looks_at_the_same_ground_are_dates(tmp_path: Path) -> None:
+    for day in ("240409", "250410"):
+        _coordinates(tmp_path / "same", [None] * 2, [f"{day}_1", f"{day}_2"])
+    assert [epoch.label for epoch in group_epochs(find_tiles([tmp_path / "same"]))] == ["2024-04-09", "2025-04-10"]
+    _coordinates(tmp_path / "halves", [9, 20], ["240609_north", "240620_south"])
+    assert [epoch.label for epoch in group_epochs(find_tiles([tmp_path / "halves"]))] == ["2024-06-09", "2024-06-20"]
+    _coordinates(tmp_path / "one", [None] * 2, ["240409_1", "240409_2"])
+    assert [epoch.label for epoch in group_epochs(find_tiles([tmp_path / "one"]))] == ["2024-04-09"]
+
+
+def _labels(folder: Path) -> list[tuple[str, int, int]]:
+    return [(epoch.label, len(epoch.tiles), len(epoch.questions)) for epoch in group_epochs(find_tiles([folder]))]
+
+
+@pytest.mark.parametrize("root", ["busan_2024", "busan_2024-06-01", "busan"])
+@pytest.mark.parametrize("days", [(1, 2), (1, 1), (None, None)])
+def test_before_and_after_are_two_epochs(tmp_path: Path, root: str, days: tuple[int | None, int | None]) -> None:
+    for name, day, shift in (("before", days[0], 0.0), ("after", days[1], 0.1)):
+        for k in range(2):
+            when = None if day is None else datetime(2024, 6, day, tzinfo=UTC)
+            _tile(tmp_path / root / name / f"tile_{k}.laz", (k + shift) * EAST, when)
+    assert _labels(tmp_path / root) == [("before", 2, 0), ("after", 2, 0)]
+
+
+@pytest.mark.parametrize(
+    ("root", "days", "found"),
+    [
+        ("site", (1, 1), [("2024-06-01", 2, 0)]),
+        ("site", (1, 2), [("2024-06-01", 2, 1)]),
+        ("site_2024", (1, 1), [("2024", 2, 0)]),
+        ("site_2024", (1, 2), [("2024", 2, 1)]),
+        ("site_2024", (1, 9), [("run1", 1, 0), ("run2", 1, 0)]),
+        ("site_2024", (None, None), [("2024", 2, 1)]),
+        ("site_2024-06-01", (1, 2), [("2024-06-01", 2, 0)]),
+        ("site_2024-06-01", (None, None), [("2024-06-01", 2, 0)]),
+    ],
+)
+def test_folders_of_the_same_ground_that_nothing_tells_apart_are_asked_about(
+    tmp_path: Path, root: str, days: tuple[int | None, int | None], found: list[tuple[str, int, int]]
+) -> None:
+    """Strips of one flight show the same ground as well, on one day or two."""
+    for name, day, shift in (("run1", days[0], 0.0), ("run2", days[1], 0.1)):
+        _tile(tmp_path / root / name / "t.laz", shift * EAST, None if day is None else datetime(2024, 6, day, tzinfo=UTC))
+    assert _labels(tmp_path / root) == found
+
+
+def test_halves_of_one_flight_in_folders_are_one_epoch(tmp_path: Path) -> None:
+    for root in ("site_2024", "site"):
+        for k, name in enumerate(("before the bend", "after the bend")):
+            _tile(tmp_path / root / name / "t.laz", 0.9 * k * EAST, datetime(2024, 6, 1 + k, tzinfo=UTC))
+        assert [row[1:] for row in _labels(tmp_path / root)] == [(2, 0)]
