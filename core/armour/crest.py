@@ -115,11 +115,13 @@ def _change(before: _Crest, after: _Crest, errors: CrestErrors) -> dict[str, Any
     first, second = pairs.T
     same = [after.units[k] for k in second]
     shared = before.frame.mean(_centres(same)) + after.frame.mean(_centres(same))
-    moved = errors.changes.get((before.frame.label, after.frame.label), {})
-    # what both frames have in common, of targets surveyed once or of an epoch that both were tied to, drops out: the run knew how far
-    shared = min([shared, *(moved[unit.unit_id] for unit in same if unit.unit_id in moved)])
     own = float(np.sum(before.variances[first] + after.variances[second])) / len(pairs) ** 2
-    return {"change": float(np.mean(after.tops[second] - before.tops[first])), "sd_change": _root(shared + own)}
+    moved = errors.changes.get((before.frame.label, after.frame.label), {})
+    # what both frames have in common, of targets surveyed once or of an epoch that both were tied to, is not in displacements; their mean
+    # is known at least as well as they are in the mean
+    single = float(np.mean([math.sqrt(moved.get(unit.unit_id, math.inf)) for unit in same]))
+    sd = _root(float(np.fmin(single**2, shared + own)))
+    return {"change": float(np.mean(after.tops[second] - before.tops[first])), "sd_change": sd}
 
 
 def _root(variance: float) -> float | None:

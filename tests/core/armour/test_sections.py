@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 import shapely
 import synthetic_result
-from synthetic_result import HEIGHT, SRS, SyntheticUnit, make_units, write_points, write_result
+from synthetic_result import CENTRE_SD, HEIGHT, SRS, SyntheticUnit, make_units, write_points, write_result
 from tetratrack.core.armour.as_built import read_as_built
 from tetratrack.core.armour.comparisons import profiles, write_profiles
 from tetratrack.core.armour.contacts import reach_of
@@ -192,7 +192,7 @@ def test_what_both_frames_share_is_not_in_the_change_of_the_crest(crest: Path, t
         connection.execute("UPDATE displacements_other SET sd_h = 0.003")
     before, after = profiles(path, axis=AXIS, step=6.0).crest[:2]
     assert before["sd"] == pytest.approx(np.hypot(FRAME_SD, OWN_SD / np.sqrt(before["units"])), rel=1e-6)
-    assert after["sd_change"] == pytest.approx(np.hypot(0.003, OWN_SD * np.sqrt(2 / after["units"])), rel=1e-6)
+    assert after["sd_change"] == pytest.approx(0.003, rel=1e-6)
 
 
 def test_bent_frame_takes_the_place_of_the_registration_in_the_crest(crest: Path, tmp_path: Path) -> None:
@@ -223,7 +223,10 @@ def test_units_that_were_not_adjusted_count_for_the_crest_where_nothing_else_doe
     unknown = profiles(path, axis=AXIS, step=6.0).crest
     assert [row["crest_height"] for row in unknown] == [row["crest_height"] for row in whole]
     assert {row["sd"] for row in unknown} == {None}
-    assert unknown[1]["sd_change"] is None
+    assert unknown[1]["sd_change"] == pytest.approx(CENTRE_SD[2] * np.sqrt(2) * 2, rel=1e-6), "of displacements"
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("DELETE FROM displacements_other")
+    assert profiles(path, axis=AXIS, step=6.0).crest[1]["sd_change"] is None
 
 
 def test_sections_hold_blocks_points_and_design_of_every_epoch(crest: Path, tmp_path: Path) -> None:
