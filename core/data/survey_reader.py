@@ -266,13 +266,6 @@ class _Reader:
                 if value in seen:
                     raise self._error("epoch", index, what, f"{what} {value} belongs to two epochs", "Give every epoch its own.")
                 seen.add(value)
-        owners: dict[Path, str] = {}
-        for index, epoch in enumerate(epochs):
-            for tile in epoch.tiles:
-                owner = owners.setdefault(tile, epoch.label)
-                if owner != epoch.label:
-                    problem = f"tiles: {tile.name} belongs to two epochs, {owner} and {epoch.label}"
-                    raise self._error("epoch", index, "tiles", problem, "Name the tiles of each epoch alone; endings match in any case.")
 
     def _check_grades(self, limits: Mapping[str, Any]) -> None:
         """Refuse limits of grades that are counted alike and not in their order."""
