@@ -149,7 +149,7 @@ def _ended(outcome: Outcome) -> dict[str, Any]:
     if outcome.code == INTERRUPTED:
         raise Cancelled("cancelled")
     if outcome.code == BAD_INPUT:
-        raise InputError(outcome.problem or "the run was refused", remedy=outcome.remedy)
+        raise InputError(outcome.problem, remedy=outcome.remedy)
     raise TetratrackError(outcome.problem, remedy=outcome.remedy)
 
 

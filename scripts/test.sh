@@ -56,6 +56,8 @@ logs="$(mktemp -d)"
 # beside all else: what it installs waits for the network, and its one process leaves a core idle
 test_qgis >"$logs/qgis" 2>&1 &
 qgis=$!
+# nobody waits for it where this ends early
+trap 'pkill -P "$qgis" || true; rm -rf "$logs"' EXIT
 check "lint" "run: .venv/bin/ruff check --fix ." .venv/bin/ruff check --quiet .
 check "format" "run: .venv/bin/ruff format ." .venv/bin/ruff format --quiet --check .
 check "types" "run: .venv/bin/python scripts/dev/types.py" .venv/bin/python scripts/dev/types.py
@@ -69,7 +71,6 @@ check "coverage of core" "write tests for the lines that .venv/bin/coverage repo
     .venv/bin/coverage report --fail-under 90 --format total
 check "QGIS tests" "look at what is written below; run: xvfb-run -a .venv-qgis/bin/python -m pytest tests/qgis" wait "$qgis"
 cat "$logs/qgis"
-rm -rf "$logs"
 printf '%s\n' "$summary"
 if [ ${#failed[@]} -gt 0 ]; then
     # the last line names all that failed, whatever was looked at last

@@ -53,10 +53,10 @@ def crest_rows(models: Sequence[AsBuilt], axis: Axis, planes: Sequence[CutPlane]
         Length of a reach, metres.
     """
     rows = []
+    chainages = [axis.locate(np.array([unit.shape.centre for unit in model.units]))[0] for model in models]
     for number, plane in enumerate(planes, start=1):
         before: _Crest | None = None
-        for model in models:
-            along = axis.locate(np.array([unit.shape.centre for unit in model.units]))[0]
+        for model, along in zip(models, chainages, strict=True):
             own = [unit for unit, a in zip(model.units, along, strict=True) if abs(a - plane.along) <= step / 2 + 1e-9]
             if not own:
                 before = None

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from pyproj import CRS, Transformer
 
 
+COUNTS = "counts"
+"""How what is said of a CRS whose axes point elsewhere begins."""
 LOCAL = "LOCAL"
 """Name of a frame without place on earth: laboratory or site coordinates in metres."""
 
@@ -83,7 +85,8 @@ def check_survey_crs(text: str, *, source: str | Path | None = None, where: str 
             f"crs {_short(text)} {problem}",
             source=source,
             where=where,
-            remedy="Choose a projected CRS in metres to the east and north, for example the UTM zone or EPSG:5514 in place of EPSG:5513.",
+            remedy="Choose a projected CRS in metres, for example the UTM zone"
+            + (", or that of the same grid to the east and north, as EPSG:5514 is in place of EPSG:5513." if COUNTS in problem else "."),
         )
 
 
@@ -312,8 +315,10 @@ def _unusable(crs: CRS) -> str:
     unit = _foreign_unit(crs)
     if unit:
         return f"is in {unit}, not metres"
-    directions = [str(axis.direction) for axis in flat.axis_info]
-    return "" if sorted(directions) == ["east", "north"] else f"counts to the {' and '.join(directions)}, not to the east and north"
+    directions = [str(axis.direction) for axis in flat.axis_info if axis.direction not in ("up", "down")]
+    # both axes of a polar grid run along meridians, and it is no mirror image
+    mirrored = "west" in directions or sorted(directions) == ["east", "south"]
+    return f"{COUNTS} to the {' and '.join(directions)}, not to the east and north" if mirrored else ""
 
 
 def _foreign_unit(crs: CRS) -> str:

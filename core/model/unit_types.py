@@ -6,13 +6,13 @@ its height H: end-disc radius B = 0.151, cone length C = 0.477, cone root radius
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property, lru_cache
-from itertools import permutations
 from typing import Any, Literal
 
 import numpy as np
@@ -126,7 +126,7 @@ class UnitType:
         legs = self.leg_directions
         # the leg in whose place each symmetry puts every leg
         places = np.argmax(np.einsum("ij,sjk,lk->sli", legs, self.symmetries, legs), axis=2)
-        return [pair for pair in permutations(range(4), 2) if pair == min((int(to[pair[0]]), int(to[pair[1]])) for to in places)]
+        return [pair for pair in itertools.permutations(range(4), 2) if pair == min((int(to[pair[0]]), int(to[pair[1]])) for to in places)]
 
     @cached_property
     def numberings(self) -> FloatArray:
@@ -203,14 +203,14 @@ def told_apart(units: Sequence[UnitType]) -> tuple[UnitType, ...]:
     Of several of one name each gets its height into it (:func:`sized_name`), and of those of one height too all but the first a number.
     """
     often = Counter(unit.name for unit in units)
-    sized: Counter[str] = Counter()
+    taken = {name for name, count in often.items() if count == 1}
     named = []
     for unit in units:
         name = unit.name
         if often[name] > 1:
-            name = sized_name(unit)
-            sized[name] += 1
-            name = name if sized[name] == 1 else f"{name} ({sized[name]})"
+            sized = sized_name(unit)
+            name = next(own for k in itertools.count(1) if (own := sized if k == 1 else f"{sized} ({k})") not in taken)
+            taken.add(name)
         named.append(replace(unit, name=name))
     return tuple(named)
 

@@ -93,7 +93,7 @@ def _write_alarms(result: Path, output: Path, threshold: float, pair: EpochPair 
         content = _csv(records, separator).encode(SPREADSHEET_ENCODING)
     elif kind in (".geojson", ".json"):
         check_own(output, (_GEOJSON_START,))
-        code = crs_of(result).epsg
+        code = crs_of(result).horizontal_epsg
         if code is None:
             raise InputError(
                 "the result's CRS has no EPSG code, without which GeoJSON means longitude and latitude",

@@ -31,6 +31,8 @@ WKT2_COLUMN = "definition_12_063"
 """Field of ``gpkg_spatial_ref_sys`` for WKT of ISO 19162 (OGC 12-128r18, annex F.10)."""
 _STATED = re.compile("PROJ|GEOG|GEOD|COMP|BOUND|DERIVEDPROJ")
 """Start of WKT of a place on earth, of both versions; a local frame has another, or none."""
+_PROJECTED = re.compile(r"PROJCR?S\[")
+_BRACKETS_AND_CODES = re.compile(r'(?:ID|AUTHORITY)\["EPSG",\s*"?(?P<code>\d+)"?\]|"[^"]*"|\[|\]')
 
 SELECT_ALL: Mapping[str, str] = {
     "units": "SELECT * FROM units",
@@ -330,6 +332,22 @@ class ResultCrs:
     name: str
     epsg: int | None
     definition: str
+
+    @property
+    def horizontal_epsg(self) -> int | None:
+        """EPSG code of the CRS, or of its horizontal part where heights have a system of their own."""
+        start = _PROJECTED.search(self.definition)
+        if self.epsg is not None or start is None:
+            return self.epsg
+        depth = 0
+        # what follows at the first level is the part's own: its units and axes have codes, too
+        for found in _BRACKETS_AND_CODES.finditer(self.definition, start.end()):
+            if found["code"] and depth == 0:
+                return int(found["code"])
+            depth += {"[": 1, "]": -1}.get(found[0], 0)
+            if depth < 0:
+                break
+        return None
 
     @property
     def text(self) -> str:

@@ -24,6 +24,13 @@ def test_what_a_survey_may_use(text: str) -> None:
     check_survey_crs(text)
 
 
+@pytest.mark.parametrize("text", ["EPSG:3413", "EPSG:3031", "EPSG:2193", "EPSG:6677", "+proj=utm +zone=50 +datum=WGS84 +units=m +vunits=m"])
+def test_axes_of_grids_that_are_no_mirror_image(text: str) -> None:
+    """Polar grids run along meridians, some count to the north first, some have a third axis."""
+    check_survey_crs(text)
+    check_survey_crs(CRS(text).to_3d().to_wkt())
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [

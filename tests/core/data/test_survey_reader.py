@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from tetratrack.core.common.errors import CrsError, InputError
 from tetratrack.core.data.survey import inside
 from tetratrack.core.data.survey_keys import SECTIONS, template
 from tetratrack.core.data.survey_reader import read_survey
+from tetratrack.core.model.unit_types import UnitType, told_apart
 
 GOOD = """[survey]
 name = "site"
@@ -107,6 +109,10 @@ def test_types_of_one_name_are_told_apart(folder: Path) -> None:
     survey = _read(folder, GOOD.replace("[unit]", "[[unit]]").replace("[[epoch]]", more + "[[epoch]]", 1))
     assert [unit.type.name for unit in survey.units] == ["tetrapod 2.3 m", "tetrapod 1.5 m", "tetrapod 1.5 m (2)"]
     assert [unit.type.height for unit in survey.units] == [2.3, 1.5, 1.5]
+    own = replace(survey.unit, name="tetrapod 1.5 m")
+    names = [unit.name for unit in told_apart([UnitType.tetrapod(1.5), own, UnitType.tetrapod(1.5)])]
+    assert len(set(names)) == 3
+    assert names[1] == own.name
 
 
 @pytest.mark.parametrize(

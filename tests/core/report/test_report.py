@@ -12,6 +12,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pyproj import CRS
+from pyproj.enums import WktVersion
 from synthetic_result import features_of, write_points, write_result
 from tetratrack.core.common.axis import parse_axis
 from tetratrack.core.common.errors import InputError, OutputError
@@ -237,11 +239,26 @@ def test_geojson_without_a_code_for_its_crs_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "lab.gpkg"
     write_result(path, 4, 2)
     with closing(sqlite3.connect(path)) as connection, connection:
-        connection.execute("UPDATE gpkg_spatial_ref_sys SET organization = 'NONE', organization_coordsys_id = 100000")
+        connection.execute(
+            "UPDATE gpkg_spatial_ref_sys SET organization = 'NONE', organization_coordsys_id = 100000, definition = 'undefined'"
+        )
     with pytest.raises(InputError, match=r"no EPSG code.*\.csv"):
         write_alarms(path, tmp_path / "a.geojson", 0.1)
     assert not (tmp_path / "a.geojson").exists()
     assert write_alarms(path, tmp_path / "a.csv", 0.0) > 0
+
+
+@pytest.mark.parametrize("version", [WktVersion.WKT1_GDAL, WktVersion.WKT2_2019])
+def test_geojson_names_the_horizontal_part_of_a_compound_crs(tmp_path: Path, version: WktVersion) -> None:
+    path = tmp_path / "heights.gpkg"
+    write_result(path, 4, 2)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute(
+            "UPDATE gpkg_spatial_ref_sys SET organization = 'NONE', organization_coordsys_id = 100000, definition = ?",
+            (CRS("EPSG:25832+7837").to_wkt(version),),
+        )
+    write_alarms(path, tmp_path / "a.geojson", 0.0)
+    assert json.loads((tmp_path / "a.geojson").read_text(encoding="utf-8"))["crs"]["properties"]["name"] == "urn:ogc:def:crs:EPSG::25832"
 
 
 def test_formula_in_a_comment_stays_text(reviewed: Path, tmp_path: Path) -> None:
