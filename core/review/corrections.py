@@ -26,7 +26,7 @@ from .bodies import redraw_bodies
 from .decisions import settle, writing
 from .pose_consequences import NewPose, carry_displacements, connect_epochs, drop_velocities, write_features, write_pose
 from .pose_from_picks import nearest_labels
-from .unit_records import DELETE_ROW, RENAME_ROW, columns_of, insert_row, place_of, rows_of_unit
+from .unit_records import DELETE_ROW, RENAME_ROW, columns_of, delete_rows, insert_row, place_of, rows_of_unit
 
 UNDO = "undo"
 """Kind of a row of ``unit_edits`` that takes another back."""
@@ -169,7 +169,7 @@ def delete_unit(path: Path, unit_id: str, *, editor: str, comment: str = "") -> 
         _prepare(connection)
         before = rows_of_unit(connection, unit_id)
         place = place_of(before)
-        _delete_rows(connection, before)
+        delete_rows(connection, before)
         _log(connection, "delete", unit_id, "", place, comment, editor, {"deleted": before})
 
 
@@ -199,7 +199,7 @@ def merge_units(path: Path, keep: str, other: str, *, editor: str, comment: str 
         stale["gaps"] += [row for row in gone.get("gaps", []) if row["epoch"] in found[0] | {row["epoch"] for row in gaps}]
         for layer, rows in gone.items():
             connection.executemany(RENAME_ROW[layer], [(keep, row["fid"]) for row in rows])
-        _delete_rows(connection, stale)
+        delete_rows(connection, stale)
         connection.execute(
             "UPDATE units SET status = 'found' WHERE unit_id = ? AND status IN ('new', 'relocated') AND geom IS NOT NULL", (keep,)
         )
@@ -240,7 +240,7 @@ def split_unit(path: Path, unit_id: str, epoch: str, *, editor: str, comment: st
         name = next(f"{unit_id}{letter}" for letter in "bcdefghijklmnopqrstuvwxyz" if f"{unit_id}{letter}" not in taken)
         for layer, rows in before.items():
             across = [row for row in rows if "epoch_from" in row and (row["epoch_from"] in later) != (row["epoch_to"] in later)]
-            _delete_rows(connection, {layer: across})
+            delete_rows(connection, {layer: across})
             inside = [row for row in rows if all(row[key] in later for key in ("epoch", "epoch_from", "epoch_to") if key in row)]
             connection.executemany(RENAME_ROW[layer], [(name, row["fid"]) for row in inside])
         first = min(found & later, key=lambda label: times[label])
@@ -285,7 +285,7 @@ def set_pose(path: Path, unit_id: str, epoch: str, pose: NewPose, *, editor: str
         # it is not missing there any more, and what was compared with its displacements was compared with others
         stale = {"gaps": [row for row in before.get("gaps", []) if row["epoch"] == epoch]}
         stale["cross_checks"] = [row for row in before.get("cross_checks", []) if epoch in (row["epoch_from"], row["epoch_to"])]
-        _delete_rows(connection, stale)
+        delete_rows(connection, stale)
         _log(connection, "pose", unit_id, epoch, place, comment, editor, {"changed": _computed(before), "added": added})
 
 
@@ -338,12 +338,6 @@ def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
             undone=True,
             undone_by=editor,
         )
-
-
-def _delete_rows(connection: sqlite3.Connection, rows: dict[str, list[Row]]) -> None:
-    """Delete rows by layer."""
-    for layer, found in rows.items():
-        connection.executemany(DELETE_ROW[layer], [(row["fid"],) for row in found])
 
 
 def _computed(rows: dict[str, list[Row]]) -> dict[str, list[Row]]:

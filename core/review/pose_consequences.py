@@ -15,7 +15,7 @@ from ..model.unit_types import UnitType
 from ..results.geopackage_reader import Row, encode_line, encode_point, query, srs_of
 from ..results.schema import FEATURES
 from .pose_from_picks import joints_of
-from .unit_records import DELETE_ROW, insert_row, raw_row, rows_of_unit, tables_of
+from .unit_records import DELETE_ROW, delete_rows, insert_row, raw_row, rows_of_unit, tables_of
 
 CRITICAL_P = {
     "displacements": "SELECT max(p_value) FROM displacements WHERE significant AND epoch_from = ? AND epoch_to = ? AND datum = ?",
@@ -257,7 +257,7 @@ def nominal_diameter_of(rows: dict[str, list[Row]]) -> float:
 
 def drop_velocities(connection: sqlite3.Connection, *before: dict[str, list[Row]]) -> None:
     """Velocities over all epochs no longer hold once one epoch changed; the next run computes them again."""
-    connection.executemany(DELETE_ROW["velocities"], [(row["fid"],) for rows in before for row in rows.get("velocities", [])])
+    delete_rows(connection, {"velocities": [row for rows in before for row in rows.get("velocities", [])]})
 
 
 def _features(centre: FloatArray, rotation: FloatArray, radius: float, gradient: float) -> dict[str, FloatArray]:

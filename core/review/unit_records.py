@@ -63,6 +63,14 @@ def insert_row(connection: sqlite3.Connection, layer: str, row: Row) -> int:
     return int(connection.execute(statement, [row[name] for name in present]).lastrowid or 0)
 
 
+def delete_rows(connection: sqlite3.Connection, rows: dict[str, list[Row]]) -> None:
+    """Delete rows by layer; a layer that the file does not hold has none."""
+    for layer, found in rows.items():
+        # SQLite looks for the table even where there is nothing to delete
+        if found:
+            connection.executemany(DELETE_ROW[layer], [(row["fid"],) for row in found])
+
+
 def place_of(rows: dict[str, list[Row]]) -> FloatArray | None:
     """Place of the first row that has one; None where none has."""
     return next((row["geom"] for row in rows["units"] if row["geom"] is not None), None)

@@ -411,3 +411,20 @@ def test_picks_made_since_a_correction_outlive_its_end(result: Path) -> None:
     assert len(read_picks(result, other)) == 1
     assert _rows_of(result, name) == {}
     assert _rows_of(result, unit)["cross_checks"] == 2
+
+
+@pytest.mark.parametrize("layer", sorted(set(OF_UNITS) - {"units", "feature_points", "displacements", "manual_picks"}))
+def test_results_without_a_layer_are_corrected_all_the_same(result: Path, layer: str) -> None:
+    """Earlier versions wrote fewer layers."""
+    unit, other = _tracked(result)[:2]
+    with closing(sqlite3.connect(result)) as connection, connection:
+        connection.execute(f"DROP TABLE {layer}")
+        connection.execute("DELETE FROM gpkg_contents WHERE table_name = ?", (layer,))
+    before = result_rows(result)
+    set_pose(result, unit, PAIR.epoch_to, _moved_pose(result, unit, PAIR.epoch_to, 0.1), editor="Ben")
+    name = split_unit(result, unit, PAIR.epoch_to, editor="Ben")
+    merge_units(result, unit, name, editor="Ben")
+    delete_unit(result, other, editor="Ben")
+    for _ in range(4):
+        undo_edit(result, last_edit_of(result, "Ben").number, editor="Ben")
+    assert result_rows(result) == before
