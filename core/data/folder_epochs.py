@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, date, datetime, time, timedelta
 from itertools import pairwise
 from pathlib import Path
 
-import numpy as np
-
 from ..common.errors import InputError
 from .dates_in_names import DAY, NamedDate, date_in_name
+from .looks_at_ground import ONE_EPOCH_DAYS, SAME_GROUND, FoundTile, are_told, ground_in_common, looks_at, said_of, share_in_common, turn
 from .other_clouds import ENDINGS as OTHER_ENDINGS
-from .tile_dates import TileDates, tile_dates
+from .tile_dates import tile_dates
 from .tiles import TileInfo, inspect_tile
 from .virtual_clouds import ENDING as VIRTUAL
 from .virtual_clouds import expanded
@@ -23,39 +21,7 @@ ENDINGS = (".las", ".laz")
 """Endings of tiles, in any case; COPC ends in .copc.laz."""
 CLOUDS = (*ENDINGS, *OTHER_ENDINGS, VIRTUAL)
 """Endings of all files that hold or name points."""
-SAME_GROUND = 0.5
-"""Share of the smaller extent that two groups of tiles must have in common to be two looks at the same ground."""
-ONE_EPOCH_DAYS = 2
-"""Tiles without dates in their names whose GPS times lie closer than this are one epoch."""
-EARLIER = re.compile(r"before|(?<![a-z])(pre|old|first|initial|baseline|vor|vorher|avant|antes)(?![a-z])|前|전")
-LATER = re.compile(r"after|(?<![a-z])(post|new|second|final|repeat|nach|nachher|apr[eè]s|depois|despu[eé]s)(?![a-z])|后|後|후")
-"""Words of folders that hold one of two looks at the same ground."""
 NOON = time(12, tzinfo=UTC)
-
-
-@dataclass(frozen=True)
-class FoundTile:
-    """A tile with what tells its epoch.
-
-    Attributes
-    ----------
-    info
-        Header, extent in the tile's own CRS.
-    dates
-        When it was measured and made.
-    named
-        Date in the name of its folder, or of the file; None where there is none.
-    place
-        Folder, or file, whose name holds that date; else the folder the tile lies in.
-    otherwise
-        What ``named`` and ``place`` are if six digits of the file's name are no date; None where they do not count.
-    """
-
-    info: TileInfo
-    dates: TileDates
-    named: NamedDate | None
-    place: Path
-    otherwise: tuple[NamedDate | None, Path] | None = None
 
 
 @dataclass(frozen=True)
@@ -152,17 +118,10 @@ def group_epochs(tiles: Sequence[FoundTile]) -> list[FoundEpoch]:
     groups = _split_by_place(groups)
     epochs = [_dated_epoch(label, place, members) for (label, place), members in groups.items()]
     rest = [tile for tile in tiles if tile.named is None]
-    epochs += [_undated_epoch(members, by) for members, by in _undated_groups(rest)]
-    epochs = [replace(epoch, questions=_question(epoch, tiles)) for epoch in epochs]
+    epochs += [_undated_epoch(members, folder) for members, folder in _undated_groups(rest)]
+    epochs = [_with_doubts(epoch, tiles) for epoch in epochs]
     epochs = [replace(epoch, notes=(*epoch.notes, *repeats.get(epoch.tiles[0].path, ()))) for epoch in epochs]
-    return _distinct(sorted(epochs, key=lambda epoch: (epoch.time, _turn(epoch.label), epoch.label)))
-
-
-def share_in_common(a: tuple[float, float, float, float], b: tuple[float, float, float, float]) -> float:
-    """Share of the smaller of two extents (west, south, east, north) that both cover."""
-    width, depth = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
-    smaller = min((a[2] - a[0]) * (a[3] - a[1]), (b[2] - b[0]) * (b[3] - b[1]))
-    return max(width, 0.0) * max(depth, 0.0) / smaller if smaller > 0 else 0.0
+    return _distinct(sorted(epochs, key=lambda epoch: (epoch.time, turn(epoch.label), epoch.label)))
 
 
 def _some_clouds(root: Path) -> list[Path]:
@@ -225,7 +184,7 @@ def _with_sure_dates(tiles: Sequence[FoundTile]) -> list[FoundTile]:
         if len(looks) < 2 or all(_measured_then(tile) for tile in short):
             # of one day alone, a wrong one parts nothing
             short = [tile for tile in short if len(looks) < 2 and tile.dates.measured is not None and not _measured_then(tile)]
-        elif any(_ground_in_common(a, b) > SAME_GROUND for k, a in enumerate(looks.values()) for b in list(looks.values())[:k]):
+        elif any(ground_in_common(a, b) > SAME_GROUND for k, a in enumerate(looks.values()) for b in list(looks.values())[:k]):
             continue
         doubtful |= {tile.info.path for tile in short}
     return [
@@ -239,18 +198,6 @@ def _with_sure_dates(tiles: Sequence[FoundTile]) -> list[FoundTile]:
 def _measured_then(tile: FoundTile) -> bool:
     """Whether the points' GPS time is of the day that the name says, or of one beside it."""
     return tile.named is not None and tile.dates.measured is not None and abs((tile.dates.measured.date() - tile.named.day).days) <= 1
-
-
-def _ground_in_common(one: Sequence[FoundTile], other: Sequence[FoundTile]) -> float:
-    """Share of the tiles' extents of the smaller of two groups that tiles of the larger cover."""
-    a, b = (np.array([(*tile.info.low[:2], *tile.info.high[:2]) for tile in group], dtype=np.float64) for group in (one, other))
-    areas = [np.prod(boxes[:, 2:] - boxes[:, :2], axis=1) for boxes in (a, b)]
-    if areas[0].sum() > areas[1].sum():
-        a, b, areas = b, a, areas[::-1]
-    whole = float(areas[0].sum())
-    sides = np.minimum(a[:, None, 2:], b[None, :, 2:]) - np.maximum(a[:, None, :2], b[None, :, :2])
-    shared = np.minimum(np.prod(np.maximum(sides, 0.0), axis=2).sum(axis=1), areas[0])
-    return float(shared.sum()) / whole if whole > 0 else 0.0
 
 
 def _without_repeats(tiles: Sequence[FoundTile]) -> tuple[list[FoundTile], dict[Path, tuple[str, ...]]]:
@@ -279,51 +226,20 @@ def _split_by_place(groups: dict[tuple[str, Path | None], list[FoundTile]]) -> d
             by_place.setdefault(tile.place if tile.place.is_dir() else tile.place.parent, []).append(tile)
         if len(by_place) > 1 and _same_ground(list(by_place.values())):
             out |= {(label, place): own for place, own in by_place.items()}
-        elif (looks := _looks(members)) and _are_told(looks):
+        elif (looks := looks_at(members)) and are_told(looks):
             out |= {(label, place): own for place, own in looks.items()}
         else:
             out[label, None] = members
     return out
 
 
-def _looks(tiles: Iterable[FoundTile]) -> dict[Path, list[FoundTile]]:
-    """Tiles by the folder they lie in, where every two of these show the same ground; else none."""
-    folders: dict[Path, list[FoundTile]] = {}
-    for tile in tiles:
-        folders.setdefault(tile.info.path.parent, []).append(tile)
-    groups = list(folders.values())
-    same = len(groups) > 1 and all(_ground_in_common(a, b) > SAME_GROUND for k, a in enumerate(groups) for b in groups[:k])
-    return folders if same else {}
-
-
-def _are_told(looks: Mapping[Path, Sequence[FoundTile]]) -> bool:
-    """Whether folders are called before and after, or were measured on days well apart; strips of one survey show the same ground, too."""
-    days = sorted(sorted(tile.dates.measured.date() for tile in own if tile.dates.measured) for own in looks.values())
-    timed = bool(days) and all(tile.dates.measured for own in looks.values() for tile in own)
-    if timed and all((later[0] - earlier[-1]).days >= ONE_EPOCH_DAYS for earlier, later in pairwise(days)):
-        return True
-    return sorted(_turn(folder.name) for folder in looks) == [-1, 1]
-
-
-def _turn(name: str) -> int:
-    """-1 for a name that says before, 1 for one that says after, else 0."""
-    return bool(LATER.search(name.lower())) - bool(EARLIER.search(name.lower()))
-
-
-def _question(epoch: FoundEpoch, found: Sequence[FoundTile]) -> tuple[str, ...]:
-    """Whether folders of the same ground, measured on several days or in a month or year alone, are one epoch: nothing else tells."""
+def _with_doubts(epoch: FoundEpoch, found: Sequence[FoundTile]) -> FoundEpoch:
     paths = {tile.path for tile in epoch.tiles}
-    tiles = [tile for tile in found if tile.info.path in paths]
-    looks = _looks(tiles)
-    exact = any(tile.named is not None and tile.named.exactness == DAY for tile in tiles)
-    days = [{tile.dates.measured.date() if tile.dates.measured else None for tile in own} for own in looks.values()]
-    apart = all(a.isdisjoint(b) for k, a in enumerate(days) for b in days[:k])
-    undated = all(None in own for own in days)
-    if not looks or exact or not (apart or (undated and any(tile.named is not None for tile in tiles))):
-        return ()
-    names = " and ".join(sorted(folder.name for folder in looks))
-    return (
-        f"{epoch.label}: folders {names} show the same ground and are taken as one epoch; if they are several, add dates to their names",
+    note, question = said_of(looks_at(tile for tile in found if tile.info.path in paths))
+    return replace(
+        epoch,
+        notes=(*epoch.notes, note) if note else epoch.notes,
+        questions=(f"{epoch.label}: {question}",) if question else (),
     )
 
 
@@ -369,27 +285,34 @@ def _time_of_day(named: NamedDate, times: Sequence[datetime]) -> tuple[datetime,
     return middle, f"day unknown, the middle of {named.label} taken{disagree}"
 
 
-def _undated_groups(tiles: Sequence[FoundTile]) -> list[tuple[list[FoundTile], str]]:
-    """Tiles without a date in any name: by GPS time, else by folder where folders show the same ground, else all together."""
+def _undated_groups(tiles: Sequence[FoundTile]) -> list[tuple[list[FoundTile], Path | None]]:
+    """Tiles without a date in any name: by GPS time, else by folder where folders show the same ground, else all together.
+
+    The folder is the one after which the epoch is called.
+    """
     if not tiles:
         return []
     if all(tile.dates.measured is not None for tile in tiles):
-        groups: list[tuple[list[FoundTile], str]] = []
+        groups: list[tuple[list[FoundTile], Path | None]] = []
         for group in _by_days(tiles, [t.dates.measured.date() for t in tiles if t.dates.measured]):
-            looks = _looks(group)
-            groups += [(own, "folder") for own in looks.values()] if _are_told(looks) else [(group, "gps")]
+            looks = looks_at(group)
+            groups += [(own, folder) for folder, own in looks.items()] if looks and are_told(looks) else [(group, None)]
         return groups
     by_folder: dict[Path, list[FoundTile]] = {}
     for tile in tiles:
         by_folder.setdefault(tile.place, []).append(tile)
+    looks = looks_at(tiles)
     if len(by_folder) > 1 and _same_ground(list(by_folder.values())):
-        return [(group, "folder") for group in by_folder.values()]
+        # before/las and after/las are called before and after
+        return [(group, folder) for folder, group in (looks if len(looks) == len(by_folder) else by_folder).items()]
+    if looks and are_told(looks):
+        return [(group, folder) for folder, group in looks.items()]
     made = [tile.dates.made for tile in tiles]
     if all(day is not None for day in made):
         by_day = _by_days(tiles, [day for day in made if day is not None])
         if len(by_day) > 1 and _same_ground(by_day):
-            return [(group, "made") for group in by_day]
-    return [(list(tiles), "all")]
+            return [(group, None) for group in by_day]
+    return [(list(tiles), None)]
 
 
 def _by_days(tiles: Sequence[FoundTile], days: Sequence[date]) -> list[list[FoundTile]]:
@@ -402,7 +325,7 @@ def _by_days(tiles: Sequence[FoundTile], days: Sequence[date]) -> list[list[Foun
     return groups
 
 
-def _undated_epoch(tiles: Sequence[FoundTile], by: str) -> FoundEpoch:
+def _undated_epoch(tiles: Sequence[FoundTile], folder: Path | None) -> FoundEpoch:
     infos = tuple(sorted((tile.info for tile in tiles), key=lambda info: info.path))
     times = [tile.dates.measured for tile in tiles if tile.dates.measured is not None]
     made = [tile.dates.made for tile in tiles if tile.dates.made is not None]
@@ -418,7 +341,7 @@ def _undated_epoch(tiles: Sequence[FoundTile], by: str) -> FoundEpoch:
         when = datetime.fromtimestamp(newest, tz=UTC).replace(microsecond=0)
         reason = "time at which the files were written"
         notes = ("nothing in the files tells when it was measured: correct the time",)
-    label = tiles[0].place.name if by == "folder" else when.date().isoformat()
+    label = when.date().isoformat() if folder is None else folder.name
     return FoundEpoch(label, when, infos, reason, notes)
 
 

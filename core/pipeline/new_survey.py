@@ -14,7 +14,8 @@ from ..common.atomic_files import replace_durably, temporary_beside
 from ..common.errors import CrsError, InputError, OutputError
 from ..common.feedback import Feedback
 from ..data.crs import LOCAL, check_survey_crs
-from ..data.folder_epochs import FoundEpoch, FoundTile, find_tiles, group_epochs, share_in_common
+from ..data.folder_epochs import FoundEpoch, find_tiles, group_epochs
+from ..data.looks_at_ground import FoundTile, share_in_common
 from ..data.plausibility import Place, check_scale
 from ..data.recognised_tables import FoundTable, Role, assign, find_tables, recognise
 from ..data.survey import Survey

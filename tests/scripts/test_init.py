@@ -115,7 +115,7 @@ def test_folders_that_may_be_two_epochs_are_asked_about(tmp_path: Path) -> None:
     text, _ = _init(tmp_path / "site_2024", "--height", 2.3)
     assert "ASK: 2024: folders run1 and run2 show the same ground" in text
     refused = CliRunner().invoke(app, ["run", str(tmp_path / "site_2024"), "--height", "2.3", "--output", str(tmp_path / "result.gpkg")])
-    assert (refused.exit_code, "add dates to their names" in refused.stderr) == (2, True)
+    assert (refused.exit_code, "if they are one, take this line out" in refused.stderr) == (2, True)
 
 
 def test_a_folder_with_its_own_survey_says_all_itself(tmp_path: Path) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+from dataclasses import replace
 from datetime import UTC, date, datetime
 from pathlib import Path
 
@@ -11,6 +13,7 @@ import pytest
 from las_files import grid_points, write_las
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.data.folder_epochs import find_tiles, group_epochs
+from tetratrack.core.data.looks_at_ground import ground_in_common
 from tetratrack.core.data.tile_dates import utc_of_gps
 
 EAST = np.array([4.0, 0.0, 0.0])
@@ -136,8 +139,13 @@ def _labels(folder: Path) -> list[tuple[str, int, int]]:
     return [(epoch.label, len(epoch.tiles), len(epoch.questions)) for epoch in group_epochs(find_tiles([folder]))]
 
 
-@pytest.mark.parametrize("root", ["busan_2024", "busan_2024-06-01", "busan"])
-@pytest.mark.parametrize("days", [(1, 2), (1, 1), (None, None)])
+@pytest.mark.parametrize(
+    ("root", "days"),
+    [
+        *((root, days) for root in ("busan_2024", "busan") for days in ((1, 2), (1, 1), (None, None))),
+        *(("busan_2024-06-01", days) for days in ((1, 2), (None, None))),
+    ],
+)
 def test_before_and_after_are_two_epochs(tmp_path: Path, root: str, days: tuple[int | None, int | None]) -> None:
     for name, day, shift in (("before", days[0], 0.0), ("after", days[1], 0.1)):
         for k in range(2):
@@ -166,6 +174,90 @@ def test_folders_of_the_same_ground_that_nothing_tells_apart_are_asked_about(
     for name, day, shift in (("run1", days[0], 0.0), ("run2", days[1], 0.1)):
         _tile(tmp_path / root / name / "t.laz", shift * EAST, None if day is None else datetime(2024, 6, day, tzinfo=UTC))
     assert _labels(tmp_path / root) == found
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("first flight", "second flight"),
+        ("午前", "午後"),
+        ("오전", "오후"),
+        ("morning", "afternoon"),
+        ("before noon", "after noon"),
+        ("pre-dawn", "post-noon"),
+        ("flight old camera", "flight new camera"),
+        ("first", "final"),
+    ],
+)
+def test_flights_of_one_day_are_one_epoch(tmp_path: Path, names: tuple[str, str]) -> None:
+    for root, label in (("site_2024-06-01", "2024-06-01"), ("site_2024", "2024"), ("site", "2024-06-01")):
+        for k, name in enumerate(names):
+            _tile(tmp_path / root / name / "t.laz", 0.1 * k * EAST, datetime(2024, 6, 1, 1 + 5 * k, tzinfo=UTC))
+        assert _labels(tmp_path / root) == [(label, 2, 0)]
+
+
+@pytest.mark.parametrize(
+    "names", [("台風前", "台風後"), ("태풍 전", "태풍 후"), ("vorher", "nachher"), ("01 after works", "02 before works")]
+)
+def test_before_and_after_of_one_day_in_several_languages(tmp_path: Path, names: tuple[str, str]) -> None:
+    for k, name in enumerate(names):
+        _tile(tmp_path / "site_2024" / name / "t.laz", 0.1 * k * EAST, datetime(2024, 6, 1, 1 + 5 * k, tzinfo=UTC))
+    assert sorted(_labels(tmp_path / "site_2024")) == sorted((name, 1, 0) for name in names)
+
+
+def test_before_and_after_of_one_named_and_measured_day_are_asked_about(tmp_path: Path) -> None:
+    for name in ("before", "after"):
+        _tile(tmp_path / "2024-06-01" / name / "t.laz", 0.1 * (name == "after") * EAST, datetime(2024, 6, 1, tzinfo=UTC))
+    assert _labels(tmp_path / "2024-06-01") == [("2024-06-01", 2, 1)]
+
+
+@pytest.mark.parametrize("root", ["site", "site_2024"])
+@pytest.mark.parametrize("days", [(1, 1), (None, None)])
+def test_folders_are_compared_where_their_paths_part(tmp_path: Path, root: str, days: tuple[int | None, int | None]) -> None:
+    for name, day, shift in (("before", days[0], 0.0), ("after", days[1], 0.1)):
+        for k, part in enumerate(("las", "north/las", "south/las")):
+            when = None if day is None else datetime(2024, 6, day, tzinfo=UTC)
+            _tile(tmp_path / "deep" / root / name / part / "t.laz", (k + shift) * EAST, when)
+            if k == 0:
+                _tile(tmp_path / "flat" / root / name / part / "t.laz", shift * EAST, when)
+    assert _labels(tmp_path / "deep" / root) == [("before", 3, 0), ("after", 3, 0)]
+    assert _labels(tmp_path / "flat" / root) == [("before", 1, 0), ("after", 1, 0)]
+
+
+def test_questions_name_the_folders_in_which_paths_part(tmp_path: Path) -> None:
+    for k in (1, 2):
+        _tile(tmp_path / "site" / f"run{k}" / "las" / "t.laz", 0.1 * k * EAST, datetime(2024, 6, k, tzinfo=UTC))
+    (epoch,) = group_epochs(find_tiles([tmp_path / "site"]))
+    assert "folders run1 and run2 show the same ground" in epoch.questions[0]
+    assert "if they are one, take this line out of the file that init writes" in epoch.questions[0]
+
+
+@pytest.mark.parametrize("name", ["pos{}", "scan_{}", "Strip {}", "harbour_flight{}", "block-{}", "teil{}"])
+def test_stations_and_strips_are_one_epoch_with_a_note(tmp_path: Path, name: str) -> None:
+    for k in (1, 2, 3):
+        _tile(tmp_path / "harbour_2024" / name.format(k) / "t.laz", 0.1 * k * EAST)
+    assert _labels(tmp_path / "harbour_2024") == [("2024", 3, 0)]
+    (epoch,) = group_epochs(find_tiles([tmp_path / "harbour_2024"]))
+    assert "are taken as parts of one epoch; if they are several, add dates" in epoch.notes[0]
+
+
+def test_ground_in_common_of_many_tiles_takes_little_memory(tmp_path: Path) -> None:
+    _tile(tmp_path / "t.laz")
+    (tile,) = find_tiles([tmp_path])
+    one, other = (
+        [
+            replace(tile, info=replace(tile.info, low=(10.0 * k + shift, 0.0, 0.0), high=(10.0 * k + shift + 10, 10.0, 1.0)))
+            for k in range(3000)
+        ]
+        for shift in (0.0, 4.0)
+    )
+    ground_in_common(one[:2], other[:2])
+    tracemalloc.start()
+    share = ground_in_common(one, other)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert share == pytest.approx(1 - 4 / 30_000)
+    assert peak < 20e6
 
 
 def test_halves_of_one_flight_in_folders_are_one_epoch(tmp_path: Path) -> None:
