@@ -84,6 +84,24 @@ def date_in_name(name: str, *, years_alone: bool = True) -> NamedDate | None:
     return None
 
 
+def has_coordinates(name: str) -> bool:
+    """Whether a name holds what can only be a coordinate: six digits that are no date, or five and more beside a date of six digits.
+
+    A time of day behind that date is none, nor is a number that begins with a zero.
+    """
+    found = date_in_name(name, years_alone=False)
+    numbers = re.findall(r"\d+", name)
+    if found is None:
+        return any(len(number) == 6 and number[0] != "0" for number in numbers)
+    if not found.short:
+        return False
+    k = next(k for k, number in enumerate(numbers) if len(number) == 6 and date_in_name(number) == found)
+    behind = numbers[k + 1 :]
+    if behind and re.fullmatch(r"([01]\d|2[0-3])[0-5]\d[0-5]\d", behind[0]):
+        del behind[0]
+    return any(len(number) > 4 and number[0] != "0" for number in (*numbers[:k], *behind))
+
+
 @cache
 def _pattern(form: str) -> re.Pattern[str]:
     # never a part of a longer number: tiles are often named after their coordinates

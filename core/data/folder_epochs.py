@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, date, datetime, time, timedelta
 from itertools import pairwise
 from pathlib import Path
 
 from ..common.errors import InputError
-from .dates_in_names import DAY, NamedDate, date_in_name
+from .dates_in_names import DAY, NamedDate, date_in_name, has_coordinates
 from .looks_at_ground import ONE_EPOCH_DAYS, SAME_GROUND, FoundTile, are_told, ground_in_common, looks_at, said_of, share_in_common, turn
 from .other_clouds import ENDINGS as OTHER_ENDINGS
 from .tile_dates import tile_dates
@@ -110,7 +110,9 @@ def clouds_in(root: Path) -> list[Path]:
 
 def group_epochs(tiles: Sequence[FoundTile]) -> list[FoundEpoch]:
     """Epochs in order of time: by dates in names, else by GPS time, by folders that show the same ground, or all in one."""
-    tiles, repeats = _without_repeats(_with_sure_dates(tiles))
+    sure = _with_sure_dates(tiles)
+    dropped = {was.info.path: was.named.label for was, now in zip(tiles, sure, strict=True) if was.named and was.named != now.named}
+    tiles, repeats = _without_repeats(sure)
     groups: dict[tuple[str, Path | None], list[FoundTile]] = {}
     dated = [tile for tile in tiles if tile.named is not None]
     for tile in dated:
@@ -119,7 +121,7 @@ def group_epochs(tiles: Sequence[FoundTile]) -> list[FoundEpoch]:
     epochs = [_dated_epoch(label, place, members) for (label, place), members in groups.items()]
     rest = [tile for tile in tiles if tile.named is None]
     epochs += [_undated_epoch(members, folder) for members, folder in _undated_groups(rest)]
-    epochs = [_with_doubts(epoch, tiles) for epoch in epochs]
+    epochs = [_with_doubts(epoch, tiles, dropped) for epoch in epochs]
     epochs = [replace(epoch, notes=(*epoch.notes, *repeats.get(epoch.tiles[0].path, ()))) for epoch in epochs]
     return _distinct(sorted(epochs, key=lambda epoch: (epoch.time, turn(epoch.label), epoch.label)))
 
@@ -167,9 +169,9 @@ def _named(path: Path, root: Path, *, short: bool = True) -> tuple[NamedDate | N
 
 
 def _with_sure_dates(tiles: Sequence[FoundTile]) -> list[FoundTile]:
-    """Tiles whose six digits are dates only where these part looks at the same ground, or the points' GPS time says the same.
+    """Tiles whose six digits are dates unless names hold coordinates: 250310 is an easting as well as a day.
 
-    Tiles are often named after their coordinates: 250310 is an easting as well as a day.
+    Among coordinates they are dates where these part looks at the same ground, or the points' GPS time says the same.
     """
     folders: dict[str, list[FoundTile]] = {}
     for tile in tiles:
@@ -177,6 +179,8 @@ def _with_sure_dates(tiles: Sequence[FoundTile]) -> list[FoundTile]:
         folders.setdefault("" if named is None or tile.place.is_file() else named.label, []).append(tile)
     doubtful = set()
     for members in folders.values():
+        if not any(has_coordinates(tile.info.path.stem) for tile in members):
+            continue
         looks: dict[str, list[FoundTile]] = {}
         for tile in members:
             looks.setdefault(tile.named.label if tile.named else "", []).append(tile)
@@ -233,14 +237,17 @@ def _split_by_place(groups: dict[tuple[str, Path | None], list[FoundTile]]) -> d
     return out
 
 
-def _with_doubts(epoch: FoundEpoch, found: Sequence[FoundTile]) -> FoundEpoch:
+def _with_doubts(epoch: FoundEpoch, found: Sequence[FoundTile], dropped: Mapping[Path, str]) -> FoundEpoch:
+    """An epoch with what its tiles leave open; ``dropped`` holds dates that may stand in their names."""
     paths = {tile.path for tile in epoch.tiles}
     note, question = said_of(looks_at(tile for tile in found if tile.info.path in paths))
-    return replace(
-        epoch,
-        notes=(*epoch.notes, note) if note else epoch.notes,
-        questions=(f"{epoch.label}: {question}",) if question else (),
-    )
+    notes = [*epoch.notes, note] if note else list(epoch.notes)
+    days = sorted({dropped[tile.path] for tile in epoch.tiles if tile.path in dropped})
+    if days:
+        name = next(tile.path.name for tile in epoch.tiles if tile.path in dropped)
+        said = " to ".join(days if len(days) < 3 else (days[0], days[-1]))
+        notes.append(f"six digits of names such as {name} are taken for coordinates; if they are days ({said}), write them as {days[0]}")
+    return replace(epoch, notes=tuple(notes), questions=(f"{epoch.label}: {question}",) if question else ())
 
 
 def _same_ground(groups: Sequence[Sequence[FoundTile]]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import date
 
 import pytest
-from tetratrack.core.data.dates_in_names import DAY, MONTH, YEAR, date_in_name
+from tetratrack.core.data.dates_in_names import DAY, MONTH, YEAR, date_in_name, has_coordinates
 
 
 @pytest.mark.parametrize(
@@ -47,3 +47,20 @@ def test_day_or_month_first() -> None:
     assert sure is not None
     assert (either.day, either.swapped) == (date(2024, 4, 9), date(2024, 9, 4))
     assert (sure.day, sure.swapped) == (date(2024, 4, 15), None)
+
+
+@pytest.mark.parametrize(
+    ("name", "coordinates"),
+    [
+        ("tile_250310_4180100", True),
+        ("4180100_250310", True),
+        ("tile_250340", True),
+        ("240601_a", False),
+        ("240601_103015_b", False),
+        ("240601_00012", False),
+        ("20240601_100234", False),
+        ("block_12", False),
+    ],
+)
+def test_names_that_hold_coordinates(name: str, coordinates: bool) -> None:
+    assert has_coordinates(name) == coordinates

@@ -135,6 +135,23 @@ def test_six_digits_that_part_looks_at_the_same_ground_are_dates(tmp_path: Path)
     assert [epoch.label for epoch in group_epochs(find_tiles([tmp_path / "one"]))] == ["2024-04-09"]
 
 
+def test_six_digits_without_any_coordinate_are_dates(tmp_path: Path) -> None:
+    for k, name in enumerate(("240601_a", "250601_101500_b")):
+        _tile(tmp_path / "years" / f"{name}.laz", 0.7 * k * EAST)
+    assert _labels(tmp_path / "years") == [("2024-06-01", 1, 0), ("2025-06-01", 1, 0)]
+    _tile(tmp_path / "later" / "240605_x.laz", when=datetime(2024, 6, 1, tzinfo=UTC))
+    (epoch,) = group_epochs(find_tiles([tmp_path / "later"]))
+    assert epoch.label == "2024-06-05"
+    assert "the points' GPS time says 2024-06-01" in epoch.reason
+
+
+def test_six_digits_that_are_taken_for_coordinates_are_noted(tmp_path: Path) -> None:
+    _coordinates(tmp_path, [None] * 5, EASTINGS)
+    (epoch,) = group_epochs(find_tiles([tmp_path]))
+    assert epoch.questions == ()
+    assert "if they are days (2025-03-10 to 2025-04-10), write them as 2025-03-10" in epoch.notes[-1]
+
+
 def _labels(folder: Path) -> list[tuple[str, int, int]]:
     return [(epoch.label, len(epoch.tiles), len(epoch.questions)) for epoch in group_epochs(find_tiles([folder]))]
 
