@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import math
 import sqlite3
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from ..results.geopackage_reader import EpochPair
 from ..results.result_access import reading
+from .unit_records import tables_of
 
 Numbers = tuple[float, float, float, float | None, str]
 """Easting, northing, height (metres), rotation (degrees, None where unknown) and class of the displacement of a unit's centre."""
@@ -23,6 +25,7 @@ CENTRES = {
     ),
 }
 CENTRES_OF_UNIT = {layer: f"{statement} AND unit_id = ?" for layer, statement in CENTRES.items()}
+CENTRES_OF_PAIR = {layer: f"{statement} AND epoch_from = ? AND epoch_to = ?" for layer, statement in CENTRES.items()}
 SAME_LENGTH, SAME_ANGLE_DEG = 0.0005, 0.05
 """Metres and degrees by which a number may change under a decision: less than the review shows."""
 
@@ -85,22 +88,34 @@ def read_bases(path: Path, pair: EpochPair) -> dict[str, Basis]:
 
 
 def bases(connection: sqlite3.Connection, pairs: Collection[EpochPair], unit_id: str = "") -> dict[tuple[str, EpochPair], Basis]:
-    """Present numbers by unit and epoch pair, of one unit or of all that the result holds."""
-    tables = {str(row["name"]) for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+    """Present numbers by unit and epoch pair, of one unit or of all that the epochs of the pairs hold."""
     moved: dict[tuple[str, EpochPair], dict[str, Numbers]] = {}
-    for layer in CENTRES:
-        if layer not in tables:
-            continue
-        rows = connection.execute(CENTRES_OF_UNIT[layer], (unit_id,)) if unit_id else connection.execute(CENTRES[layer])
-        for unit, start, stop, datum, de, dn, dh, turn, kind in rows:
+    for layer in CENTRES.keys() & tables_of(connection):
+        for unit, start, stop, datum, de, dn, dh, turn, kind in _centres(connection, layer, pairs, unit_id):
             moved.setdefault((unit, EpochPair(start, stop)), {})[datum] = (de, dn, dh, turn, kind or "")
-    statement = "SELECT unit_id, epoch, status FROM units"
-    rows = connection.execute(f"{statement} WHERE unit_id = ?", (unit_id,)) if unit_id else connection.execute(statement)
     status: dict[str, dict[str, str]] = {}
-    for unit, epoch, value in rows:
+    for unit, epoch, value in _statuses(connection, pairs, unit_id):
         status.setdefault(unit, {})[epoch] = value or ""
     return {
         (unit, pair): Basis(moved.get((unit, pair), {}), (known.get(pair.epoch_from, ""), known.get(pair.epoch_to, "")))
         for unit, known in status.items()
         for pair in pairs
     }
+
+
+def _centres(connection: sqlite3.Connection, layer: str, pairs: Collection[EpochPair], unit_id: str) -> Iterator[tuple[Any, ...]]:
+    """Displacements of centres in the order of ``CENTRES``: all of one unit, which are few, or those of the pairs."""
+    if unit_id:
+        yield from connection.execute(CENTRES_OF_UNIT[layer], (unit_id,))
+        return
+    for pair in pairs:
+        yield from connection.execute(CENTRES_OF_PAIR[layer], (pair.epoch_from, pair.epoch_to))
+
+
+def _statuses(connection: sqlite3.Connection, pairs: Collection[EpochPair], unit_id: str) -> Iterator[tuple[Any, ...]]:
+    """Unit, epoch and status: of one unit, or of the epochs of the pairs."""
+    if unit_id:
+        yield from connection.execute("SELECT unit_id, epoch, status FROM units WHERE unit_id = ?", (unit_id,))
+        return
+    for epoch in {epoch for pair in pairs for epoch in (pair.epoch_from, pair.epoch_to)}:
+        yield from connection.execute("SELECT unit_id, epoch, status FROM units WHERE epoch = ?", (epoch,))

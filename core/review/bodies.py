@@ -9,6 +9,7 @@ from ..results.geopackage_reader import encode_geometry, parse_settings, query, 
 from ..results.schema import LAYERS
 from ..results.unit_bodies import body_rows
 from ..results.unit_sizes import sizes_of_settings
+from .unit_records import tables_of
 
 DELETE = {
     "unit_outlines": "DELETE FROM unit_outlines WHERE unit_id = ?",
@@ -18,7 +19,7 @@ DELETE = {
 
 def redraw_bodies(connection: sqlite3.Connection, unit_ids: Collection[str]) -> None:
     """Make outlines and surfaces of units anew from their poses; a result of an earlier version without these layers stays as it is."""
-    present = {str(row["name"]) for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+    present = tables_of(connection)
     if "placement" in present:
         # neighbours count there, and their search needs libraries that QGIS lacks: the figures of the unit lapse until the next run
         connection.executemany("DELETE FROM placement WHERE unit_id = ?", [(unit_id,) for unit_id in sorted(unit_ids)])

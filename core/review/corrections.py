@@ -197,6 +197,8 @@ def merge_units(path: Path, keep: str, other: str, *, editor: str, comment: str 
         gaps = kept.get("gaps", [])
         stale["gaps"] = [row for row in gaps if row["epoch"] in found[1]]
         stale["gaps"] += [row for row in gone.get("gaps", []) if row["epoch"] in found[0] | {row["epoch"] for row in gaps}]
+        picks = {"unit": other, "rows": [row["fid"] for row in gone.get("manual_picks", [])], "last": _last_pick(connection)}
+        picks["epochs"] = sorted(found[1])
         for layer, rows in gone.items():
             connection.executemany(RENAME_ROW[layer], [(keep, row["fid"]) for row in rows])
         delete_rows(connection, stale)
@@ -213,7 +215,7 @@ def merge_units(path: Path, keep: str, other: str, *, editor: str, comment: str 
             place,
             comment,
             editor,
-            {"deleted": stale, "renamed": gone, "changed": _computed(kept), "added": added},
+            {"deleted": stale, "renamed": _computed(gone), "changed": _computed(kept), "added": added, "picks": picks},
         )
 
 
@@ -321,9 +323,7 @@ def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
                 for old in replaced:
                     connection.execute(DELETE_ROW[layer], (old["fid"],))
                     insert_row(connection, layer, {name: bytes.fromhex(v) if name == "geom" and v else v for name, v in old.items()})
-        if "name" in before and columns_of(connection, "manual_picks"):
-            # those made since the split, too: the name is gone
-            connection.execute("UPDATE manual_picks SET unit_id = ? WHERE unit_id = ?", (row["unit_id"], before["name"]))
+        _return_picks(connection, str(row["unit_id"]), before)
         redraw_bodies(connection, touched)
         connection.execute("UPDATE unit_edits SET undone = 1 WHERE fid = ?", (number,))
         _log(connection, UNDO, row["unit_id"], row["epoch"] or "", row["geom"], "", editor, {}, undoes=number)
@@ -340,6 +340,28 @@ def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
         )
 
 
+def _last_pick(connection: sqlite3.Connection) -> int:
+    """Number of the last point picked by hand; 0 where there is none."""
+    if not columns_of(connection, "manual_picks"):
+        return 0
+    return int(connection.execute("SELECT coalesce(max(fid), 0) FROM manual_picks").fetchone()[0])
+
+
+def _return_picks(connection: sqlite3.Connection, unit_id: str, before: dict[str, Any]) -> None:
+    """Give points picked by hand the name they have without a split or a merge of ``unit_id`` that is taken back."""
+    if not columns_of(connection, "manual_picks"):
+        return
+    if "name" in before:
+        # those made since the split, too: the name is gone
+        connection.execute("UPDATE manual_picks SET unit_id = ? WHERE unit_id = ?", (unit_id, before["name"]))
+    picks = before.get("picks")
+    if picks:
+        # of the other unit's those that nobody picked anew, and those made since the merge where it was found
+        connection.executemany(RENAME_ROW["manual_picks"], [(picks["unit"], fid) for fid in picks["rows"]])
+        since = "UPDATE manual_picks SET unit_id = ? WHERE unit_id = ? AND epoch = ? AND fid > ?"
+        connection.executemany(since, [(picks["unit"], unit_id, epoch, picks["last"]) for epoch in picks["epochs"]])
+
+
 def _computed(rows: dict[str, list[Row]]) -> dict[str, list[Row]]:
     """Rows without those picked by hand: a correction that leaves them alone must not bring back what was picked anew since."""
     return {layer: found for layer, found in rows.items() if layer != "manual_picks"}
@@ -354,7 +376,7 @@ def _touched(edit: Row) -> set[str]:
 def _prepare(connection: sqlite3.Connection) -> None:
     add_spatial_functions(connection)
     connection.execute(CREATE_EDITS)
-    if "undoes" not in {str(row["name"]) for row in connection.execute("SELECT name FROM pragma_table_info('unit_edits')")}:
+    if "undoes" not in columns_of(connection, "unit_edits"):
         connection.execute("ALTER TABLE unit_edits ADD COLUMN undoes INTEGER")
     _register_layer(connection, "unit_edits", "Corrections by hand, and placeholders for units that were not found", "POINT")
 

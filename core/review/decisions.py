@@ -22,6 +22,7 @@ from ..common.errors import InputError, OutputError
 from ..results.geopackage_reader import EpochPair, add_indices, now_utc, query, table_names
 from ..results.result_access import READING_SECONDS, connect, is_writable, limit_computing, patiently, reading
 from .basis import Basis, bases, basis_of
+from .unit_records import columns_of, tables_of
 
 Decision = Literal["accepted", "rejected", "inspect"]
 DECISIONS: tuple[Decision, ...] = ("accepted", "rejected", "inspect")
@@ -146,8 +147,7 @@ def settle(connection: sqlite3.Connection, by: str) -> int:
     by
         Who changed the numbers.
     """
-    tables = {str(row["name"]) for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
-    if not {"review_log", "reviews"} <= tables:
+    if not {"review_log", "reviews"} <= tables_of(connection):
         return 0
     by_unit: dict[tuple[str, EpochPair], list[ReviewEvent]] = {}
     for row in query(connection, "SELECT * FROM review_log ORDER BY number"):
@@ -308,12 +308,12 @@ def _prepare(connection: sqlite3.Connection) -> None:
     connection.execute(CREATE_REVIEWS)
     connection.execute(CREATE_LOG)
     connection.execute(INDEX_LOG)
-    present = {str(row["name"]) for row in connection.execute("SELECT name FROM pragma_table_info('reviews')")}
+    present = columns_of(connection, "reviews")
     if "confirmed_by" not in present:
         connection.execute("ALTER TABLE reviews ADD COLUMN confirmed_by TEXT")
     if "confirmed_at" not in present:
         connection.execute("ALTER TABLE reviews ADD COLUMN confirmed_at DATETIME")
-    if "basis" not in {str(row["name"]) for row in connection.execute("SELECT name FROM pragma_table_info('review_log')")}:
+    if "basis" not in columns_of(connection, "review_log"):
         connection.execute("ALTER TABLE review_log ADD COLUMN basis TEXT")
     register_attributes(connection, "reviews", "Decision of the reviewers on each unit and epoch pair")
     register_attributes(connection, "review_log", "Every act of every reviewer, oldest first")

@@ -15,7 +15,7 @@ from ..model.unit_types import UnitType
 from ..results.geopackage_reader import Row, encode_line, encode_point, query, srs_of
 from ..results.schema import FEATURES
 from .pose_from_picks import joints_of
-from .unit_records import DELETE_ROW, delete_rows, insert_row, raw_row, rows_of_unit, tables_of
+from .unit_records import DELETE_ROW, columns_of, delete_rows, insert_row, raw_row, rows_of_unit, tables_of
 
 CRITICAL_P = {
     "displacements": "SELECT max(p_value) FROM displacements WHERE significant AND epoch_from = ? AND epoch_to = ? AND datum = ?",
@@ -86,7 +86,7 @@ def write_features(connection: sqlite3.Connection, rows: Sequence[Row], old: Row
     places = _features(pose.centre, rotation, pose.radius, pose.gradient)
     arm = math.radians(pose.sd_rotation_deg) / math.sqrt(3)
     here = {row["feature"]: row for row in rows if row["epoch"] == old["epoch"]}
-    columns = [str(row["name"]) for row in connection.execute("SELECT name FROM pragma_table_info('feature_points')")]
+    columns = columns_of(connection, "feature_points")
     for feature, place in places.items():
         # rotation about three axes with equal variance: every direction across the arm gets arm length times that
         reach = float(np.linalg.norm(place - pose.centre))

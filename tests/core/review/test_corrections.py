@@ -428,3 +428,22 @@ def test_results_without_a_layer_are_corrected_all_the_same(result: Path, layer:
     for _ in range(4):
         undo_edit(result, last_edit_of(result, "Ben").number, editor="Ben")
     assert result_rows(result) == before
+
+
+def test_the_end_of_a_merge_leaves_each_unit_the_picks_made_in_its_epochs(result: Path) -> None:
+    unit = _tracked(result)[0]
+    name = split_unit(result, unit, "2025-04-09", editor="Ben")
+    store_picks(result, name, "2025-04-09", {"f123": [1.0, 2.0, 3.0], "f124": [2.0, 2.0, 3.0]}, editor=PICKED_BY)
+    _pick(result, unit, "2023-04-09", 3.0)
+    _pick(result, unit, "2025-04-09", 4.0)
+    store_picks(result, unit, "2025-04-09", {"f134": [5.0, 2.0, 3.0]}, editor="Cleo")
+    merge_units(result, unit, name, editor="Ben")
+    _pick(result, unit, "2023-04-09", 6.0)
+    _pick(result, unit, "2025-04-09", 7.0)
+    undo_edit(result, last_edit_of(result, "Ben").number, editor="Ben")
+
+    def picks(of: str) -> set[tuple[str, str, float]]:
+        return {(row["epoch"], row["feature"], float(row["geom"][0])) for row in read_picks(result, of)}
+
+    assert picks(name) == {("2025-04-09", "f123", 7.0), ("2025-04-09", "f124", 2.0)}, "the one picked anew does not come back beside it"
+    assert picks(unit) == {("2023-04-09", "f123", 6.0), ("2025-04-09", "f134", 5.0)}

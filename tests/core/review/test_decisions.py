@@ -20,9 +20,11 @@ from tetratrack.core.model.tetrapod import relate
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.results import result_access
 from tetratrack.core.results.geopackage_reader import EpochPair, decode_geometry, encode_line, encode_point, epoch_pairs, read_layer_rows
+from tetratrack.core.results.result_access import reading
 from tetratrack.core.results.unit_rows import EpochInfo, check_comparisons, read_details, read_epochs, read_unit_rows, series, unit_sizes
 from tetratrack.core.results.unit_sizes import shape_of, size_of, unit_of
-from tetratrack.core.review.decisions import confirm, decide, read_history, read_reviews, undo
+from tetratrack.core.review.basis import Basis, bases
+from tetratrack.core.review.decisions import confirm, decide, prepare, read_history, read_reviews, undo
 from tetratrack.core.review.point_index import PointIndex, index_folder, write_index
 from tetratrack.plugin.review_store import ReviewStore
 
@@ -430,3 +432,21 @@ def test_what_could_not_be_read_is_read_at_the_next_look(result: Path, monkeypat
         held.execute("ROLLBACK")
     assert store.refresh() == "decisions"
     assert store.review(unit).reviewer == "B"
+
+
+def test_the_numbers_of_one_pair_cost_no_look_at_the_others(tmp_path: Path) -> None:
+    path = tmp_path / "long.gpkg"
+    write_result(path, 40, 6)
+    prepare(path)
+    pairs = epoch_pairs(path)
+
+    def looked_up(wanted: list[EpochPair]) -> tuple[dict[tuple[str, EpochPair], Basis], int]:
+        steps = []
+        with reading(path) as connection:
+            connection.set_progress_handler(lambda: steps.append(1), 100)
+            return bases(connection, wanted), len(steps)
+
+    (every, all_steps), (found, steps) = looked_up(pairs), looked_up(pairs[:1])
+    assert found == {key: basis for key, basis in every.items() if key[1] == pairs[0]}
+    assert any(basis.displacements for basis in found.values())
+    assert steps < all_steps / 3
