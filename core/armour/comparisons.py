@@ -16,6 +16,7 @@ from ..common.centreline import ARM_HEIGHTS, centreline
 from ..common.errors import InputError, OutputError
 from ..common.output_files import check_targets
 from ..results.comparison_layers import PLAN_LAYERS, PROFILE_LAYERS, SECTION_LAYERS
+from ..results.field_checks import foreign_contents
 from ..results.frame_heights import FrameHeights
 from ..results.geopackage_reader import EpochPair, crs_of, read_layer_rows
 from ..results.geopackage_writer import check_beside, write_beside
@@ -272,7 +273,8 @@ def _models(result: Path) -> list[AsBuilt]:
 def _crest_errors(result: Path, epochs: Sequence[str]) -> CrestErrors:
     """What is known of the errors of heights and of their changes from one of the ``epochs`` to the next."""
     bends = read_layer_rows(result, "frame_errors")
-    frames = {info.label: FrameHeights.read(info, bends) for info in read_epochs(result)}
+    with foreign_contents(result):
+        frames = {info.label: FrameHeights.read(info, bends) for info in read_epochs(result)}
     changes = {}
     for pair in pairwise(epochs):
         moved = read_unit_rows(result, EpochPair(*pair), "control")

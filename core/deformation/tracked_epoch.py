@@ -9,8 +9,9 @@ from datetime import datetime
 import numpy as np
 
 from ..common.arrays import FloatArray
+from ..common.registration_records import mean_offset_variance
 from ..model.pose import Pose
-from ..registration.transformation import Transformation, mean_offset_variance
+from ..registration.transformation import Transformation
 from ..segmentation.leg_ends import LegEnds
 from .fitted_unit import FittedUnit
 from .target_shifts import TargetShifts

@@ -15,6 +15,7 @@ from ..adjustment.adjustment_records import Adjustment, AdjustmentOptions
 from ..common.arrays import FloatArray
 from ..common.errors import InputError
 from ..common.feedback import Feedback
+from ..common.registration_records import common_variance
 from ..data.las_files import checksum
 from ..data.survey import Survey
 from ..data.tiles import read_points
@@ -24,7 +25,7 @@ from ..model.mould import Mould, onto_cones
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..registration.frame_correction import FrameCorrection
-from ..registration.transformation import Transformation, mean_offset_variance, transformation_of
+from ..registration.transformation import Transformation, transformation_of
 from ..results.field_checks import foreign_contents
 from ..results.geopackage_reader import read_layer_rows
 from ..results.run_record import epochs_of
@@ -242,15 +243,11 @@ class _EpochFrame:
     @classmethod
     def read(cls, result: Path, info: EpochInfo) -> _EpochFrame:
         """Of one epoch of a result."""
-        # earlier versions have not said how far the mean offset is known, or the mean drift
-        offsets = list(info.settings.get("source_offsets_m", {}).values())
-        sd = info.settings.get("mean_offset_sd_m", math.sqrt(mean_offset_variance(offsets)))
-        drifts = info.settings.get("mean_drift_sds_m", np.zeros(3))
         known = transformation_of(info.transformation)
         return cls(
             _calibration(result, info.label),
             FrameCorrection.from_rows(read_layer_rows(result, "frame_errors"), info.label),
-            None if known is None else known.with_offset(sd**2 + np.square(drifts)),
+            None if known is None else known.with_offset(common_variance(info.settings)),
         )
 
     def covariance_in_control(self, own: FloatArray, pose: Pose) -> FloatArray:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from ..common.arrays import FloatArray
-from ..common.errors import InputError
+from ..common.registration_records import record_numbers
 from ..model.pose import Pose
 
 
@@ -93,14 +93,20 @@ class Transformation:
 
     @classmethod
     def from_record(cls, record: Mapping[str, Any]) -> Transformation:
-        """Inverse of :meth:`as_record`; see :func:`transformation_of` for records that may be incomplete."""
+        """Inverse of :meth:`as_record`.
+
+        Raises
+        ------
+        InputError
+            The record is incomplete or damaged.
+        """
         return cls(
-            origin_from=np.array(record["origin_from"], dtype=np.float64),
-            origin_to=np.array(record["origin_to"], dtype=np.float64),
-            translation=np.array(record["translation_m"], dtype=np.float64),
-            rotation=Rotation.from_rotvec(record["rotation_vector_rad"]).as_matrix(),
-            scale=float(record["scale"]),
-            covariance=np.array(record["covariance"], dtype=np.float64),
+            origin_from=record_numbers(record, "origin_from"),
+            origin_to=record_numbers(record, "origin_to"),
+            translation=record_numbers(record, "translation_m"),
+            rotation=Rotation.from_rotvec(record_numbers(record, "rotation_vector_rad")).as_matrix(),
+            scale=float(record_numbers(record, "scale")),
+            covariance=record_numbers(record, "covariance"),
         )
 
     def as_record(self) -> dict[str, Any]:
@@ -122,22 +128,11 @@ def transformation_of(record: Mapping[str, Any]) -> Transformation | None:
     Raises
     ------
     InputError
-        The record is incomplete.
+        The record is incomplete or damaged.
     """
     if not record:
         return None
-    try:
-        return Transformation.from_record(record)
-    except (KeyError, TypeError, ValueError) as error:
-        raise InputError(f"layer epochs holds a transformation without {error}", remedy="Run tetratrack again.") from error
-
-
-def mean_offset_variance(offsets: ArrayLike) -> float:
-    """Variance per axis (square metres) of the mean of (k, 3) offsets of strips or stations; 0 for less than two."""
-    own = np.asarray(offsets, dtype=np.float64).reshape(-1, 3)
-    if len(own) < 2:
-        return 0.0
-    return float(np.mean(np.sum(own**2, axis=0) / (len(own) - 1) / len(own)))
+    return Transformation.from_record(record)
 
 
 def rigid_jacobian(arms: FloatArray) -> FloatArray:

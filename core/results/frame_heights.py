@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..common.arrays import FloatArray
-from ..common.errors import InputError
+from ..common.registration_records import common_variance, record_numbers
 from .geopackage_reader import Row
 from .unit_rows import EpochInfo
 
@@ -44,22 +44,16 @@ class FrameHeights:
         Raises
         ------
         InputError
-            The record of the transformation is incomplete.
+            The record of the transformation is incomplete or damaged.
         """
         if not info.transformation:
             return cls(label=info.label, origin=np.zeros(3), covariance=np.zeros((7, 7)), offset=0.0)
-        try:
-            origin = np.array(info.transformation["origin_to"], dtype=np.float64)
-            covariance = np.array(info.transformation["covariance"], dtype=np.float64).reshape(7, 7)
-        except (KeyError, TypeError, ValueError) as error:
-            raise InputError(f"layer epochs holds a transformation without {error}", remedy="Run tetratrack again.") from error
-        drifts = np.broadcast_to(np.asarray(info.settings.get("mean_drift_sds_m", 0.0), dtype=np.float64), 3)
         own = [row for row in bends if row["epoch"] == info.label and row["known_by"] == "targets" and row["geom"] is not None]
         return cls(
             label=info.label,
-            origin=origin,
-            covariance=covariance,
-            offset=float(info.settings.get("mean_offset_sd_m", 0.0)) ** 2 + float(drifts[2]) ** 2,
+            origin=record_numbers(info.transformation, "origin_to"),
+            covariance=record_numbers(info.transformation, "covariance"),
+            offset=float(common_variance(info.settings)[2]),
             places=np.array([row["geom"][:2] for row in own], dtype=np.float64).reshape(-1, 2),
             variances=np.array([row["sd_h"] for row in own], dtype=np.float64) ** 2,
         )

@@ -210,6 +210,41 @@ def test_bent_frame_takes_the_place_of_the_registration_in_the_crest(crest: Path
     assert first["sd"] == pytest.approx(np.hypot(0.004, 0.003 / np.sqrt(first["units"])), rel=1e-6)
 
 
+def test_the_crest_holds_what_strips_have_in_common_of_earlier_versions_too(crest: Path, tmp_path: Path) -> None:
+    """They have not said how far the mean offset is known: the offsets tell."""
+    path = tmp_path / "result.gpkg"
+    shutil.copy(crest, path)
+    offsets = np.array([[0.004, 0.0, 0.008], [-0.004, 0.0, -0.008]])
+    common = np.sqrt(np.sum(offsets**2) / 3 / 2)
+    told = {"source_offsets_m": dict(enumerate(offsets.tolist()))}
+    for known in ({}, {"mean_offset_sd_m": None}, {"mean_offset_sd_m": common}):
+        with closing(sqlite3.connect(path)) as connection, connection:
+            (settings,) = connection.execute("SELECT settings FROM epochs").fetchone()
+            connection.execute("UPDATE epochs SET settings = ?", (json.dumps(json.loads(settings or "{}") | told | known),))
+            connection.execute("UPDATE units SET sd_h = ?", (float(np.sqrt(FRAME_SD**2 + common**2 + OWN_SD**2)),))
+        first = profiles(path, axis=AXIS, step=6.0).crest[0]
+        assert first["sd"] == pytest.approx(np.sqrt(FRAME_SD**2 + common**2 + OWN_SD**2 / first["units"]), rel=1e-6)
+
+
+def test_damaged_records_of_a_registration_end_the_crest_in_a_sentence(crest: Path, tmp_path: Path) -> None:
+    path = tmp_path / "result.gpkg"
+    shutil.copy(crest, path)
+    record = read_layer_rows(path, "epochs")[0]["transformation"]
+    faults = {
+        "damaged transformation: 'covariance'": {"covariance": [1.0, 2.0]},
+        "damaged transformation: 'origin_to'": {"origin_to": "here"},
+    }
+    for words, fault in faults.items():
+        with closing(sqlite3.connect(path)) as connection, connection:
+            connection.execute("UPDATE epochs SET transformation = ?", (json.dumps(json.loads(record) | fault),))
+        with pytest.raises(InputError, match=words):
+            profiles(path, axis=AXIS, step=6.0)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE epochs SET transformation = ?, settings = ?", (record, json.dumps({"mean_drift_sds_m": None})))
+    with pytest.raises(InputError, match=r"result\.gpkg: holds something that cannot be used"):
+        profiles(path, axis=AXIS, step=6.0)
+
+
 def test_units_that_were_not_adjusted_count_for_the_crest_where_nothing_else_does(crest: Path, tmp_path: Path) -> None:
     path = tmp_path / "result.gpkg"
     shutil.copy(crest, path)

@@ -251,3 +251,5 @@ def test_transformation_survives_the_record() -> None:
     np.testing.assert_allclose(found.apply(points), given.apply(points), atol=1e-9)
     with pytest.raises(InputError, match="without 'scale'"):
         transformation_of({name: value for name, value in given.as_record().items() if name != "scale"})
+    with pytest.raises(InputError, match="damaged transformation: 'covariance'"):
+        transformation_of(given.as_record() | {"covariance": [1.0, 2.0]})

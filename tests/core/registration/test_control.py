@@ -13,13 +13,14 @@ import pytest
 from scipy.spatial.transform import Rotation
 from scipy.stats import chi2, kstest
 from tetratrack.core.common.errors import CrsError, InputError
+from tetratrack.core.common.registration_records import mean_offset_variance
 from tetratrack.core.data.point_tables import CONTROL_COLUMNS, SurveyedPoints, read_control, read_targets
 from tetratrack.core.data.survey import Epoch
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.registration import control as module
 from tetratrack.core.registration.survey_frame import METRES_PER, grid_scale, to_survey_frame
 from tetratrack.core.registration.surveyed_epochs import control_of
-from tetratrack.core.registration.transformation import Transformation, mean_offset_variance
+from tetratrack.core.registration.transformation import Transformation
 from tetratrack.core.registration.weighted_transformation import weighted_fit
 
 CENTRE = np.array([523_170.0, 3_884_615.0, 7.5])
