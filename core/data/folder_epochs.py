@@ -10,7 +10,18 @@ from pathlib import Path
 
 from ..common.errors import InputError
 from .dates_in_names import DAY, NamedDate, date_in_name, has_coordinates
-from .looks_at_ground import ONE_EPOCH_DAYS, SAME_GROUND, FoundTile, are_told, ground_in_common, looks_at, said_of, share_in_common, turn
+from .looks_at_ground import (
+    ONE_EPOCH_DAYS,
+    SAME_GROUND,
+    FoundTile,
+    are_told,
+    ground_in_common,
+    looks_at,
+    measured_then,
+    said_of,
+    share_in_common,
+    turn,
+)
 from .other_clouds import ENDINGS as OTHER_ENDINGS
 from .tile_dates import tile_dates
 from .tiles import TileInfo, inspect_tile
@@ -185,9 +196,9 @@ def _with_sure_dates(tiles: Sequence[FoundTile]) -> list[FoundTile]:
         for tile in members:
             looks.setdefault(tile.named.label if tile.named else "", []).append(tile)
         short = [tile for tile in members if tile.otherwise is not None]
-        if len(looks) < 2 or all(_measured_then(tile) for tile in short):
+        if len(looks) < 2 or all(measured_then(tile) for tile in short):
             # of one day alone, a wrong one parts nothing
-            short = [tile for tile in short if len(looks) < 2 and tile.dates.measured is not None and not _measured_then(tile)]
+            short = [tile for tile in short if len(looks) < 2 and tile.dates.measured is not None and not measured_then(tile)]
         elif any(ground_in_common(a, b) > SAME_GROUND for k, a in enumerate(looks.values()) for b in list(looks.values())[:k]):
             continue
         doubtful |= {tile.info.path for tile in short}
@@ -197,11 +208,6 @@ def _with_sure_dates(tiles: Sequence[FoundTile]) -> list[FoundTile]:
         else tile
         for tile in tiles
     ]
-
-
-def _measured_then(tile: FoundTile) -> bool:
-    """Whether the points' GPS time is of the day that the name says, or of one beside it."""
-    return tile.named is not None and tile.dates.measured is not None and abs((tile.dates.measured.date() - tile.named.day).days) <= 1
 
 
 def _without_repeats(tiles: Sequence[FoundTile]) -> tuple[list[FoundTile], dict[Path, tuple[str, ...]]]:

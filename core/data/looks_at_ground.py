@@ -79,9 +79,11 @@ def looks_at(tiles: Iterable[FoundTile]) -> dict[Path, list[FoundTile]]:
 
 
 def are_told(looks: Mapping[Path, Sequence[FoundTile]]) -> bool:
-    """Whether folders were measured on days well apart, or are called before and after; strips of one survey show the same ground, too."""
-    days = sorted(sorted(day for day in own if day is not None) for own in _days(looks))
-    if _are_timed(looks) and days and all((later[0] - earlier[-1]).days >= ONE_EPOCH_DAYS for earlier, later in pairwise(days)):
+    """Whether folders were measured on days well apart, or are called before and after; strips of one survey show the same ground, too.
+
+    A name that gives the day is believed rather than GPS time, which may be of the export.
+    """
+    if _are_well_apart(looks) and not _are_of_a_day(looks):
         return True
     return _are_before_and_after(looks) and not (_are_of_a_day(looks) and _are_timed(looks) and not _are_apart(looks))
 
@@ -92,7 +94,9 @@ def said_of(looks: Mapping[Path, Sequence[FoundTile]]) -> tuple[str, str]:
         return "", ""
     names = " and ".join(sorted(folder.name for folder in looks))
     if _are_of_a_day(looks):
-        doubtful = _are_before_and_after(looks)
+        doubtful = _are_before_and_after(looks) or (
+            _are_well_apart(looks) and any(measured_then(tile) for own in looks.values() for tile in own)
+        )
     else:
         undated = all(None in own for own in _days(looks))
         doubtful = _are_apart(looks) or (undated and any(tile.named is not None for own in looks.values() for tile in own))
@@ -108,6 +112,11 @@ def said_of(looks: Mapping[Path, Sequence[FoundTile]]) -> tuple[str, str]:
         "if they are one, take this line out of the file that init writes, and run that"
     )
     return "", question
+
+
+def measured_then(tile: FoundTile) -> bool:
+    """Whether the points' GPS time is of the day that the name says, or of one beside it."""
+    return tile.named is not None and tile.dates.measured is not None and abs((tile.dates.measured.date() - tile.named.day).days) <= 1
 
 
 def turn(name: str) -> int:
@@ -163,6 +172,11 @@ def _are_apart(looks: Mapping[Path, Sequence[FoundTile]]) -> bool:
     """Whether no two folders have a day of GPS time, or the lack of one, in common."""
     days = _days(looks)
     return all(a.isdisjoint(b) for k, a in enumerate(days) for b in days[:k])
+
+
+def _are_well_apart(looks: Mapping[Path, Sequence[FoundTile]]) -> bool:
+    days = sorted(sorted(day for day in own if day is not None) for own in _days(looks))
+    return _are_timed(looks) and all((later[0] - earlier[-1]).days >= ONE_EPOCH_DAYS for earlier, later in pairwise(days))
 
 
 def _are_of_a_day(looks: Mapping[Path, Sequence[FoundTile]]) -> bool:

@@ -182,12 +182,14 @@ def test_before_and_after_are_two_epochs(tmp_path: Path, root: str, days: tuple[
         ("site_2024", (None, None), [("2024", 2, 1)]),
         ("site_2024-06-01", (1, 2), [("2024-06-01", 2, 0)]),
         ("site_2024-06-01", (None, None), [("2024-06-01", 2, 0)]),
+        ("site_2024-06-01", (1, 9), [("2024-06-01", 2, 1)]),
+        ("site_2024-03-01", (1, 9), [("2024-03-01", 2, 0)]),
     ],
 )
 def test_folders_of_the_same_ground_that_nothing_tells_apart_are_asked_about(
     tmp_path: Path, root: str, days: tuple[int | None, int | None], found: list[tuple[str, int, int]]
 ) -> None:
-    """Strips of one flight show the same ground as well, on one day or two."""
+    """Strips of one flight show the same ground as well, on one day or two; GPS times that are never of the named day are of the export."""
     for name, day, shift in (("run1", days[0], 0.0), ("run2", days[1], 0.1)):
         _tile(tmp_path / root / name / "t.laz", shift * EAST, None if day is None else datetime(2024, 6, day, tzinfo=UTC))
     assert _labels(tmp_path / root) == found
