@@ -61,7 +61,7 @@ def test_the_five_questions_have_answers_that_exist() -> None:
 
 
 FIRST_HOUR = (
-    "data/folder_epochs", "data/looks_at_ground", "data/other_clouds", "data/virtual_clouds", "data/las_files", "data/recognised_tables",
+    "data/folder_epochs", "data/looks_at_ground", "data/other_clouds", "common/virtual_clouds", "data/las_files", "data/recognised_tables",
     "pipeline/new_survey", "pipeline/given_epochs", "pipeline/size_check", "pipeline/no_units",
 )  # fmt: skip
 """Modules whose messages somebody meets before the first map."""

@@ -46,7 +46,7 @@ DOORS = ("feedback", "result_tables", "reviews", "run_options", "survey", "workf
 # modules of core that QGIS's process may load; `model.*` means every module of the package
 INSIDE_QGIS = (
     "common.errors common.arrays common.atomic_files common.csv_text common.input_files common.output_files common.paths "
-    "common.registration_records common.robust common.rotations common.sqlite_files data.virtual_clouds model.* results.* review.* "
+    "common.registration_records common.robust common.rotations common.sqlite_files common.virtual_clouds model.* results.* review.* "
     "report.alarms report.result_choice"
 )
 

@@ -38,7 +38,7 @@ from qgis.core import (
 )
 
 from ...core.common.errors import InputError
-from ...core.data.virtual_clouds import tiles_of
+from ...core.common.virtual_clouds import tiles_of
 from ..base import TetratrackAlgorithm
 from .translation import tr
 from .wording import Wording

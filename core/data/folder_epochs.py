@@ -9,6 +9,8 @@ from itertools import pairwise
 from pathlib import Path
 
 from ..common.errors import InputError
+from ..common.virtual_clouds import ENDING as VIRTUAL
+from ..common.virtual_clouds import expanded
 from .dates_in_names import DAY, NamedDate, date_in_name, has_coordinates
 from .looks_at_ground import (
     ONE_EPOCH_DAYS,
@@ -25,8 +27,6 @@ from .looks_at_ground import (
 from .other_clouds import ENDINGS as OTHER_ENDINGS
 from .tile_dates import tile_dates
 from .tiles import TileInfo, inspect_tile
-from .virtual_clouds import ENDING as VIRTUAL
-from .virtual_clouds import expanded
 
 ENDINGS = (".las", ".laz")
 """Endings of tiles, in any case; COPC ends in .copc.laz."""

@@ -13,13 +13,13 @@ from typing import Any
 
 from ..common.errors import InputError
 from ..common.input_files import content_of
+from ..common.virtual_clouds import expanded
 from ..model.unit_types import told_apart
 from .crs import LOCAL, check_survey_crs
 from .file_patterns import MAGIC, BrokenLink, existing_path, matching_files
 from .mould_files import moulded
 from .survey import Epoch, LayerFile, Ring, Survey, SurveyUnit
 from .survey_keys import LONGEST_NAME, REPEATED, REQUIRED, SECTIONS, check_number, is_name, is_place, unit_from_keys
-from .virtual_clouds import expanded
 
 BACKSLASHES = "In double quotes a backslash begins a special sign: write / instead of \\, or put the path in single quotes."
 LARGEST_FILE = 4_000_000

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlparse
 
-from ..common.errors import InputError
-from ..common.input_files import content_of
+from .errors import InputError
+from .input_files import content_of
 
 ENDING = ".vpc"
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from las_files import grid_points, write_las
 from tetratrack.core.common.errors import InputError
+from tetratrack.core.common.virtual_clouds import expanded, tiles_of
 from tetratrack.core.data.folder_epochs import find_tiles
-from tetratrack.core.data.virtual_clouds import expanded, tiles_of
 
 
 def write_vpc(path: Path, links: list[str]) -> Path:
