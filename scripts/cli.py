@@ -767,7 +767,9 @@ def batch(
         from ..core.data.file_patterns import given_paths
         from .batch import run_batch
 
-        return run_batch(given_paths(surveys), _run_options(workers, scheduler, resume), feedback)
+        # each by itself: a survey that is named twice is refused, not run once in silence
+        given = [path for name in surveys for path in given_paths([name])]
+        return run_batch(given, _run_options(workers, scheduler, resume), feedback)
 
     _run(quiet, log_file, json_progress, step, FINISHED)
 
