@@ -263,7 +263,8 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
     decisions = {unit: words.get(review.decision) or translate(review.decision) for unit, review in reviews.items()}
     points = _Points(result)
     worst = []
-    for moved in _most_moved(kept, options.worst):
+    # their pictures take more than half of the time of all
+    for moved in _most_moved(kept, options.worst) if "worst" in options.sections else ():
         details = read_details(result, moved.unit_id, sizes)
         drawn_series = _series(details, moved, epochs, datum, translate)
         drawn_views = _views(details, moved, pair, datum, points, translate)

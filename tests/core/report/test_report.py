@@ -163,7 +163,8 @@ def test_frames_of_few_units_and_of_control_in_one_epoch_are_said_as_they_are(re
 
 def test_sections_and_pair_are_chosen(reviewed: Path, tmp_path: Path) -> None:
     options = ReportOptions(pair=EpochPair("2023-04-09", "2024-04-09"), datum="control", sections=("summary", "control"))
-    write_report(reviewed, tmp_path / "short.html", options)
+    data = write_report(reviewed, tmp_path / "short.html", options)
+    assert data.worst == (), "no picture is drawn that no section shows"
     text = text_of((tmp_path / "short.html").read_text(encoding="utf-8"))
     assert "control points alone" in text
     assert "2023-04-09 → 2024-04-09" in text
