@@ -229,15 +229,15 @@ def settled_state(survey: Path, known: dict[Path, tuple[tuple[int, int], str]]) 
     files = [survey, *(path for path in described.files if path != described.path)]
     stamps = [_stamp(path) for path in files]
     time.sleep(SETTLED_SECONDS)
-    lines = []
+    settled = {}
     for path, stamp in zip(files, stamps, strict=True):
         if stamp is None or _stamp(path) != stamp:
             raise InputError("is still being copied", source=path, remedy="Look again when the copy is complete.")
-    for path, stamp in zip(files, stamps, strict=True):
-        if stamp is not None and known.get(path, (None, ""))[0] != stamp:
+        settled[path] = stamp
+    for path, stamp in settled.items():
+        if path not in known or known[path][0] != stamp:
             known[path] = stamp, checksum(path)
-        lines.append(f"{known[path][1]}  {path}")
-    return "\n".join(lines)
+    return "\n".join(f"{known[path][1]}  {path}" for path in settled)
 
 
 def _stamp(path: Path) -> tuple[int, int] | None:

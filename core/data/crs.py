@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from pyproj import CRS, Transformer
 
 
-COUNTS = "counts"
-"""How what is said of a CRS whose axes point elsewhere begins."""
 LOCAL = "LOCAL"
 """Name of a frame without place on earth: laboratory or site coordinates in metres."""
 
@@ -86,7 +84,7 @@ def check_survey_crs(text: str, *, source: str | Path | None = None, where: str 
             source=source,
             where=where,
             remedy="Choose a projected CRS in metres, for example the UTM zone"
-            + (", or that of the same grid to the east and north, as EPSG:5514 is in place of EPSG:5513." if COUNTS in problem else "."),
+            + (", or that of the same grid to the east and north, as EPSG:5514 is in place of EPSG:5513." if _other_axes(crs) else "."),
         )
 
 
@@ -315,10 +313,15 @@ def _unusable(crs: CRS) -> str:
     unit = _foreign_unit(crs)
     if unit:
         return f"is in {unit}, not metres"
-    directions = [str(axis.direction) for axis in flat.axis_info if axis.direction not in ("up", "down")]
+    axes = _other_axes(crs)
+    return f"counts to the {axes}, not to the east and north" if axes else ""
+
+
+def _other_axes(crs: CRS) -> str:
+    """Where the axes of a CRS point that shows displacements turned or mirrored, or an empty text."""
+    directions = [str(axis.direction) for axis in _horizontal(crs).axis_info if axis.direction not in ("up", "down")]
     # both axes of a polar grid run along meridians, and it is no mirror image
-    mirrored = "west" in directions or sorted(directions) == ["east", "south"]
-    return f"{COUNTS} to the {' and '.join(directions)}, not to the east and north" if mirrored else ""
+    return " and ".join(directions) if "west" in directions or sorted(directions) == ["east", "south"] else ""
 
 
 def _foreign_unit(crs: CRS) -> str:

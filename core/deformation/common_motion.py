@@ -47,10 +47,10 @@ def _difference_by_surveyed(first: TrackedEpoch, second: TrackedEpoch, origin: F
     one, other = (_registering(epoch.targets) for epoch in (first, second))
     if one is None or other is None:
         return None
-    a, b = numbers_of_shared(one, other)
     differences = difference_of_shared(one, other)
     if differences is None:
         return None
+    a, b = numbers_of_shared(one, other)
     scaled = [bool(epoch.registration is not None and epoch.registration.covariance[6, 6] > 0) for epoch in (first, second)]
     gains = [_gain(own, scale, origin) for own, scale in zip((one, other), scaled, strict=True)]
     shared = (one.variances[a] + other.variances[b] - differences.variances) / 2
