@@ -5,9 +5,10 @@ from __future__ import annotations
 import io
 import re
 import sqlite3
+from collections import Counter
 from collections.abc import Callable, Sequence
 from contextlib import closing
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,7 @@ from ..common.feedback import Feedback
 from ..common.output_files import check_targets
 from ..common.paths import sqlite_address
 from ..common.sqlite_files import recover
-from ..data.crs import LOCAL
+from ..data.crs import LOCAL, parse_crs
 from ..data.survey import Survey
 from ..data.tile_dates import tile_dates
 from ..data.tiles import TileInfo, inspect_tile
@@ -29,6 +30,26 @@ from .target_check import check_spacing
 
 LAYER = "tiles"
 SEVERITY: tuple[Verdict, ...] = ("ok", "note", "warning", "refused")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row:
+    """One input with all that there is to say of it.
+
+    Attributes
+    ----------
+    cells
+        Of the table, by column.
+    path, tile
+        The file of a tile, and what is known of it.
+    crs
+        CRS of its extent: the survey's, or its own where it is looked at by itself.
+    """
+
+    cells: dict[str, Any]
+    path: Path | None = None
+    tile: TileInfo | None = None
+    crs: str = ""
 
 
 def inspect_survey(survey: Survey, feedback: Feedback) -> tuple[Finding, ...]:
@@ -67,11 +88,11 @@ def inspect_files(paths: Sequence[Path], feedback: Feedback) -> tuple[Finding, .
         try:
             tile = inspect_tile(path, None, is_cancelled=feedback.is_cancelled)
         except InputError as error:
-            findings.append(Finding(verdict="refused", what="tile", name=path.name, message=str(error), error=error))
+            findings.append(Finding(verdict="refused", what="tile", name=path.name, message=str(error), error=error, path=path))
         else:
             said = [*tile.remarks, *([] if tile.used else [f"{path.name}: holds no points that are used"])]
             verdict: Verdict = "warning" if tile.unread or not tile.used else "note" if said else "ok"
-            findings.append(Finding(verdict=verdict, what="tile", name=path.name, message="; ".join(said), tile=tile))
+            findings.append(Finding(verdict=verdict, what="tile", name=path.name, message="; ".join(said), tile=tile, path=path))
         feedback.progress((k + 1) / len(paths), f"checked {path.name}")
     return tuple(findings)
 
@@ -102,15 +123,19 @@ def run_inspect(inputs: Sequence[Survey | Path], output: Path | None, feedback: 
     if output is not None:
         _check_index(output, files)
     findings: list[Finding] = []
-    alone = [item for item in inputs if isinstance(item, Path)]
+    rows: list[Row] = []
     for item in inputs:
         if isinstance(item, Survey):
-            findings += inspect_survey(item, feedback)
-    findings += inspect_files(alone, feedback)
-    tiles = [finding.tile for finding in findings if finding.tile is not None]
-    rows = _rows(findings)
+            own = inspect_survey(item, feedback)
+            findings += own
+            rows += _rows(own, item.crs)
+    own = inspect_files([item for item in inputs if isinstance(item, Path)], feedback)
+    findings += own
+    rows += _rows(own)
+    _tell_apart(rows)
+    tiles = [row.tile for row in rows if row.tile is not None]
     if output is not None:
-        write_tile_index(output, tiles, {row["path"]: row for row in rows})
+        write_tile_index(output, rows)
     names = [tile.crs for tile in tiles]
     outputs = {
         "tiles": len(tiles),
@@ -118,38 +143,46 @@ def run_inspect(inputs: Sequence[Survey | Path], output: Path | None, feedback: 
         "density": float(np.median([tile.density for tile in tiles])) if tiles else 0.0,
         "crs": max(sorted(set(names)), key=names.count) if names else "",
         "verdict": max((finding.verdict for finding in findings), key=SEVERITY.index, default="ok"),
-        "refused": sum(row["verdict"] == "refused" for row in rows),
-        "warnings": sum(row["verdict"] == "warning" for row in rows),
-        "table": [{name: value for name, value in row.items() if name != "path"} for row in rows],
+        "refused": sum(row.cells["verdict"] == "refused" for row in rows),
+        "warnings": sum(row.cells["verdict"] == "warning" for row in rows),
+        "table": [row.cells for row in rows],
     }
     return outputs, first_error(findings)
 
 
-def _rows(findings: Sequence[Finding]) -> list[dict[str, Any]]:
-    """One row an input, with the worst verdict on it and all that there is to say."""
-    rows: dict[tuple[str, str, str], dict[str, Any]] = {}
+def _rows(findings: Sequence[Finding], survey_crs: str | None = None) -> list[Row]:
+    """One row an input of a survey, or of tiles by themselves, with the worst verdict on it and all that there is to say."""
+    rows: dict[tuple[str, str, str, Path | None], Row] = {}
     for finding in findings:
-        key = (finding.epoch, finding.what, finding.name)
-        row = rows.setdefault(
-            key,
-            {"epoch": finding.epoch, "input": finding.name, "what": finding.what, "verdict": "ok"}
-            | {"points": "", "used": "", "density": "", "crs": "", "extent": "", "remark": "", "path": ""},
-        )
-        row["verdict"] = max(row["verdict"], finding.verdict, key=SEVERITY.index)
-        named = {finding.name} if finding.error is None else {finding.name, str(finding.error.source)}
-        said = re.sub(rf"(^|; )(?:{'|'.join(map(re.escape, named))}): ", r"\1", finding.message)
-        row["remark"] = "; ".join(part for part in (row["remark"], said) if part)
+        # tiles of several folders may have one name
+        key = (finding.epoch, finding.what, finding.name, finding.path)
+        blank = dict.fromkeys(("points", "used", "density", "crs", "extent", "remark"), "")
+        named = {"epoch": finding.epoch, "input": finding.name, "what": finding.what, "verdict": "ok"}
+        row = rows.setdefault(key, Row(cells=named | blank, path=finding.path))
+        cells = row.cells
+        cells["verdict"] = max(cells["verdict"], finding.verdict, key=SEVERITY.index)
+        sources = {finding.name} if finding.error is None else {finding.name, str(finding.error.source)}
+        said = re.sub(rf"(^|; )(?:{'|'.join(map(re.escape, sources))}): ", r"\1", finding.message)
+        cells["remark"] = "; ".join(part for part in (cells["remark"], said) if part)
         tile = finding.tile
         if tile is not None:
-            row |= {
+            cells |= {
                 "points": tile.points,
                 "used": tile.used,
                 "density": round(tile.density, 1),
                 "crs": tile.crs if len(tile.crs) < 20 else f"{tile.crs[:19]}…",
                 "extent": " ".join(f"{low:.2f}..{high:.2f}" for low, high in zip(tile.low, tile.high, strict=True)),
-                "path": str(tile.path),
             }
+            rows[key] = replace(row, tile=tile, crs=tile.crs if survey_crs is None else survey_crs)
     return list(rows.values())
+
+
+def _tell_apart(rows: Sequence[Row]) -> None:
+    """Name tiles of one epoch and name by their paths."""
+    names = Counter((row.cells["epoch"], row.cells["input"]) for row in rows if row.path is not None)
+    for row in rows:
+        if row.path is not None and names[row.cells["epoch"], row.cells["input"]] > 1:
+            row.cells["input"] = str(row.path)
 
 
 def _check_index(output: Path, inputs: Sequence[Path]) -> None:
@@ -179,8 +212,10 @@ def _day(path: Path) -> str:
     return f"{dates.made.isoformat()}?" if dates.made is not None else ""
 
 
-def write_tile_index(path: Path, tiles: Sequence[TileInfo], rows: dict[str, dict[str, Any]]) -> None:
+def write_tile_index(path: Path, rows: Sequence[Row]) -> None:
     """Write one rectangle per tile to the layer ``tiles`` of a new GeoPackage, replacing an earlier one.
+
+    The layer is in the first CRS of the extents; those in others are transformed, those of no place on earth stay as they are.
 
     Raises
     ------
@@ -188,28 +223,40 @@ def write_tile_index(path: Path, tiles: Sequence[TileInfo], rows: dict[str, dict
         The file cannot be written.
     """
     import geopandas
-    import shapely
 
+    known = [(row.tile, row) for row in rows if row.tile is not None]
+    crs = next((row.crs for _, row in known if row.crs not in ("", LOCAL)), None)
     frame = geopandas.GeoDataFrame(
         {
-            "file": [str(tile.path) for tile in tiles],
-            "points": [tile.points for tile in tiles],
-            "density": [tile.density for tile in tiles],
-            "height_min": [tile.low[2] for tile in tiles],
-            "height_max": [tile.high[2] for tile in tiles],
-            "crs": [tile.crs for tile in tiles],
-            "measured": [_day(tile.path) for tile in tiles],
-            "las_version": [tile.version for tile in tiles],
-            "point_format": [tile.point_format for tile in tiles],
-            "copc": [tile.copc for tile in tiles],
-            "used": [tile.used for tile in tiles],
-            "verdict": [str(rows[str(tile.path)]["verdict"]) for tile in tiles],
-            "remark": [str(rows[str(tile.path)]["remark"]) for tile in tiles],
+            "file": [str(tile.path) for tile, _ in known],
+            "points": [tile.points for tile, _ in known],
+            "density": [tile.density for tile, _ in known],
+            "height_min": [tile.low[2] for tile, _ in known],
+            "height_max": [tile.high[2] for tile, _ in known],
+            "crs": [tile.crs for tile, _ in known],
+            "measured": [_day(tile.path) for tile, _ in known],
+            "las_version": [tile.version for tile, _ in known],
+            "point_format": [tile.point_format for tile, _ in known],
+            "copc": [tile.copc for tile, _ in known],
+            "used": [tile.used for tile, _ in known],
+            "verdict": [str(row.cells["verdict"]) for _, row in known],
+            "remark": [str(row.cells["remark"]) for _, row in known],
         },
-        geometry=[shapely.box(tile.low[0], tile.low[1], tile.high[0], tile.high[1]) for tile in tiles],
-        crs=next((tile.crs for tile in tiles if tile.crs not in ("", LOCAL)), None),
+        geometry=[_rectangle(tile, row.crs, crs) for tile, row in known],
+        crs=crs,
     )
     # GDAL says little of a disk that is full: the file is made in memory and then written
     content = io.BytesIO()
     frame.to_file(content, layer=LAYER, driver="GPKG", engine="pyogrio")
     write_whole(path.absolute(), content.getvalue())
+
+
+def _rectangle(tile: TileInfo, own: str, crs: str | None) -> Any:
+    """Extent of a tile, stated in one CRS, as a rectangle in another."""
+    import shapely
+    from pyproj import Transformer
+
+    bounds = (*tile.low[:2], *tile.high[:2])
+    if crs is not None and own not in ("", LOCAL, crs):
+        bounds = Transformer.from_crs(parse_crs(own), parse_crs(crs), always_xy=True).transform_bounds(*bounds)
+    return shapely.box(*bounds)

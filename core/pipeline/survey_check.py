@@ -77,6 +77,8 @@ class Finding:
         What a run ends with.
     tile
         What is known of a tile.
+    path
+        The file of a tile, as others may have its name.
     """
 
     verdict: Verdict
@@ -86,6 +88,7 @@ class Finding:
     message: str = ""
     error: InputError | None = None
     tile: TileInfo | None = None
+    path: Path | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -189,14 +192,14 @@ def _look_at(path: Path, epoch: Epoch, survey_crs: str, level: int, patch: float
                 remedy="Export the tiles with GPS time, or take trajectory, range_sd and angle_sd out of survey.toml.",
             )
     except InputError as error:
-        return _refused(epoch, "tile", error, path.name)
+        return replace(_refused(epoch, "tile", error, path.name), path=path)
     said = [*tile.remarks, *([tile.note] if tile.note else [])]
     verdict: Verdict = "warning" if tile.unread else "note" if said else "ok"
     if not tile.used:
         why = "holds no points" if not tile.points else f"holds {tile.points} points, all classed as noise or withheld,"
         said.append(f"{path.name}: {why} and is left out")
         verdict = "warning"
-    return Finding(verdict=verdict, what="tile", name=path.name, epoch=epoch.label, message="; ".join(said), tile=tile)
+    return Finding(verdict=verdict, what="tile", name=path.name, epoch=epoch.label, message="; ".join(said), tile=tile, path=path)
 
 
 def _cloud_of(epoch: Epoch, own: Sequence[TileInfo], survey_crs: str, feedback: Feedback) -> tuple[tuple[TileInfo, ...], list[Finding]]:
@@ -209,7 +212,7 @@ def _cloud_of(epoch: Epoch, own: Sequence[TileInfo], survey_crs: str, feedback: 
             kept.append(tile)
         else:
             said = f"{tile.path.name}: holds the same points as {twin.path.name} and is left out"
-            findings.append(Finding(verdict="warning", what="tile", name=tile.path.name, epoch=epoch.label, message=said))
+            findings.append(_warned(epoch, tile.path, said))
     kept.sort(key=lambda tile: tile.path)
     try:
         clean = without_strays(kept, survey_crs, feedback.is_cancelled)
@@ -220,8 +223,13 @@ def _cloud_of(epoch: Epoch, own: Sequence[TileInfo], survey_crs: str, feedback: 
             number = f"{after.strays} point{'s lie' if after.strays > 1 else ' lies'}"
             where = stray_place(before, after) if after.used else "all of the tile's"
             said = f"{after.path.name}: {number} far from all others ({where}), left out"
-            findings.append(Finding(verdict="warning", what="tile", name=after.path.name, epoch=epoch.label, message=said))
+            findings.append(_warned(epoch, after.path, said))
     return tuple(tile for tile in clean if tile.used), findings
+
+
+def _warned(epoch: Epoch, path: Path, said: str) -> Finding:
+    """A warning of a tile."""
+    return Finding(verdict="warning", what="tile", name=path.name, epoch=epoch.label, message=said, path=path)
 
 
 def _same_points(one: TileInfo, other: TileInfo) -> bool:
@@ -452,7 +460,7 @@ def _copies(one: Epoch, other: Epoch, tiles: dict[str, tuple[TileInfo, ...]]) ->
         twin = next((old for old in before.get(tile.used, ()) if _same_points(tile, old)), None)
         if twin is not None:
             said = f"{tile.path.name}: holds the same points in epoch {other.label} as {twin.path.name} in epoch {one.label}"
-            yield Finding(verdict="warning", what="tile", name=tile.path.name, epoch=other.label, message=said)
+            yield _warned(other, tile.path, said)
 
 
 def _check_areas(survey: Survey, areas: LayerFile) -> None:
