@@ -102,6 +102,8 @@ class TileInfo:
         First and last GPS time of these; infinity and its negative where they have none.
     sources
         Point source IDs that occur among them.
+    one_strip
+        Whether its points are read with the source ID 0, since theirs number no strips (:mod:`.strip_numbers`).
     thinned, patch, means
         Of a tile that is denser than is of use: the key of its thinned points (:mod:`.thinned_clouds`), the radius of the patches, metres,
         and their number. Whoever reads the tile reads these.
@@ -131,6 +133,7 @@ class TileInfo:
     cells: Occupancy | None = field(default=None, compare=False, repr=False)
     times: tuple[float, float] = (math.inf, -math.inf)
     sources: tuple[int, ...] = ()
+    one_strip: bool = False
     thinned: str = ""
     patch: float = 0.0
     means: int = 0
@@ -421,7 +424,7 @@ def _read_tile(
             if window is not None:
                 keep &= window.contains(xyz)
             sources, times = point_records(chunk, header, keep)
-            yield xyz[keep] - origin, sources, np.nan_to_num(times), np.zeros(len(sources))
+            yield xyz[keep] - origin, np.zeros_like(sources) if tile.one_strip else sources, np.nan_to_num(times), np.zeros(len(sources))
 
 
 def _means_of(
@@ -436,7 +439,8 @@ def _means_of(
     keep = np.ones(len(means.xyz), dtype=np.bool_) if window is None else window.contains(means.xyz)
     if tile.strays:
         keep &= in_box(means.xyz, tile.low, tile.high)
-    return means.xyz[keep] - origin, means.sources[keep], means.times[keep], means.spread[keep]
+    sources = means.sources[keep]
+    return means.xyz[keep] - origin, np.zeros_like(sources) if tile.one_strip else sources, means.times[keep], means.spread[keep]
 
 
 def _tile_of(header: LasHeader, scan: Scan | None, transform: TileTransform, remarks: Sequence[str]) -> TileInfo:

@@ -31,6 +31,7 @@ from ..data.plausibility import (
     said_of_shift,
 )
 from ..data.point_tables import read_targets
+from ..data.strip_numbers import by_strips
 from ..data.survey import Epoch, LayerFile, Survey
 from ..data.thinned_clouds import is_large, patch_radius
 from ..data.tiles import TileInfo, inspect_tile, stray_place, without_strays
@@ -128,7 +129,8 @@ def check_survey(survey: Survey, feedback: Feedback) -> SurveyCheck:
             findings.append(_refused(epoch, "tiles", _no_points(epoch, own)))
         if not kept:
             continue
-        tiles[epoch.label] = kept
+        tiles[epoch.label], said = _strips_of(epoch, kept)
+        findings += said
         place = _place(kept, survey.crs, height)
         findings += _dropped(epoch, own)
         findings += _thinned(epoch, kept)
@@ -272,6 +274,13 @@ def _thinned(epoch: Epoch, tiles: Sequence[TileInfo]) -> list[Finding]:
         "are too much alike to say more"
     )
     return [Finding(verdict="note", what="tiles", name=f"{len(dense)} tiles", epoch=epoch.label, message=said)]
+
+
+def _strips_of(epoch: Epoch, tiles: tuple[TileInfo, ...]) -> tuple[tuple[TileInfo, ...], list[Finding]]:
+    """The tiles with what their point source IDs are taken for; with a table of stations they number these."""
+    taken, said = (tiles, "") if epoch.stations is not None else by_strips(epoch.label, tiles)
+    warning = Finding(verdict="warning", what="tiles", name=f"{len(tiles)} tiles", epoch=epoch.label, message=said)
+    return taken, [warning] if said else []
 
 
 def _density(epoch: Epoch, tiles: Sequence[TileInfo], height: float) -> list[Finding]:
