@@ -8,7 +8,8 @@ from ..common.feedback import Feedback
 from ..data.survey import Epoch, Survey
 from ..data.tiles import TileInfo
 from .blocks import Block, plan_blocks
-from .survey_check import check_survey, report
+from .input_findings import report
+from .survey_check import check_survey
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +36,7 @@ def plan_survey(survey: Survey, feedback: Feedback | None = None) -> tuple[Epoch
     """
     feedback = feedback or Feedback()
     check = check_survey(survey, feedback)
-    report(check, feedback)
+    report(check.findings, feedback)
     height = max(unit.type.height for unit in survey.units)
     return tuple(
         EpochPlan(epoch, check.tiles[epoch.label], plan_blocks(epoch.label, check.tiles[epoch.label], height)) for epoch in survey.epochs

@@ -24,8 +24,9 @@ from ..data.crs import LOCAL, parse_crs
 from ..data.survey import Survey
 from ..data.tile_dates import tile_dates
 from ..data.tiles import TileInfo, inspect_tile
+from .input_findings import Finding, Verdict, first_error
 from .size_check import check_sizes
-from .survey_check import Finding, Verdict, check_survey, first_error
+from .survey_check import check_survey
 from .target_check import check_spacing
 
 LAYER = "tiles"

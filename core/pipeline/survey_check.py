@@ -10,7 +10,6 @@ from datetime import UTC, datetime, timedelta
 from functools import partial
 from itertools import pairwise
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 
@@ -39,8 +38,7 @@ from ..data.trajectory import read_stations, read_trajectory
 from ..deformation.validation import read_check
 from ..registration.stable_areas import read_areas
 from ..registration.surveyed_epochs import control_of, register_to_control, surveyed_control
-
-Verdict = Literal["ok", "note", "warning", "refused"]
+from .input_findings import Finding, Verdict, refused, said_of_tiles, warned
 
 MOST_DROPPED = 0.5
 """Share of noise and withheld points above which an epoch is worth a warning."""
@@ -58,38 +56,6 @@ MOST_LOOKS = 4
 """Tiles looked through at once: each holds a chunk of points."""
 FIRST_SCANS = 1990
 """Year before which nobody scanned a breakwater."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Finding:
-    """What there is to say of one input.
-
-    Attributes
-    ----------
-    verdict
-        ``ok``; ``note`` for what was done about it; ``warning`` for what the user should look at; ``refused`` ends a run.
-    epoch
-        Label, empty for what belongs to the survey.
-    what, name
-        Kind of input ("tile", "control"), and its name.
-    message
-        One sentence, empty where all is well.
-    error
-        What a run ends with.
-    tile
-        What is known of a tile.
-    path
-        The file of a tile, as others may have its name.
-    """
-
-    verdict: Verdict
-    what: str
-    name: str
-    epoch: str = ""
-    message: str = ""
-    error: InputError | None = None
-    tile: TileInfo | None = None
-    path: Path | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -126,7 +92,7 @@ def check_survey(survey: Survey, feedback: Feedback) -> SurveyCheck:
         kept, said = _cloud_of(epoch, own, survey.crs, feedback)
         findings += said
         if not kept and not any(finding.verdict == "refused" for finding in (*seen, *said)):
-            findings.append(_refused(epoch, "tiles", _no_points(epoch, own)))
+            findings.append(refused(epoch, "tiles", _no_points(epoch, own)))
         if not kept:
             continue
         tiles[epoch.label], said = _strips_of(epoch, kept)
@@ -138,35 +104,6 @@ def check_survey(survey: Survey, feedback: Feedback) -> SurveyCheck:
         findings += _tables(epoch, survey, place, kept, {finding.what for finding in unreadable})
     findings += _whole(survey, tiles, height)
     return SurveyCheck(findings=tuple(findings), tiles=tiles)
-
-
-def report(check: SurveyCheck, feedback: Feedback) -> None:
-    """Tell what was found, and end with the first input that cannot be used.
-
-    Raises
-    ------
-    InputError
-        That of the first refused input; it says how many more there are.
-    """
-    for finding in check.findings:
-        if finding.message and finding.verdict == "note":
-            feedback.info(finding.message)
-        elif finding.message and finding.verdict == "warning":
-            feedback.warning(finding.message)
-    error = first_error(check.findings)
-    if error is not None:
-        raise error
-
-
-def first_error(findings: Sequence[Finding]) -> InputError | None:
-    """What a run ends with: the first refused input, and how many more there are; None where all can be used."""
-    errors = [finding.error for finding in findings if finding.error is not None]
-    if len(errors) < 2:
-        return errors[0] if errors else None
-    first = errors[0]
-    more = "1 more input is refused" if len(errors) == 2 else f"{len(errors) - 1} more inputs are refused"
-    remedy = f"{first.remedy} {more}; all are listed by: tetratrack inspect".strip()
-    return type(first)(first.problem, source=first.source, where=first.where, remedy=remedy)
 
 
 def _looks(epoch: Epoch, survey_crs: str, height: float, feedback: Feedback) -> Iterator[Finding]:
@@ -194,7 +131,7 @@ def _look_at(path: Path, epoch: Epoch, survey_crs: str, level: int, patch: float
                 remedy="Export the tiles with GPS time, or take trajectory, range_sd and angle_sd out of survey.toml.",
             )
     except InputError as error:
-        return replace(_refused(epoch, "tile", error, path.name), path=path)
+        return replace(refused(epoch, "tile", error, path.name), path=path)
     said = [*tile.remarks, *([tile.note] if tile.note else [])]
     verdict: Verdict = "warning" if tile.unread else "note" if said else "ok"
     if not tile.used:
@@ -214,24 +151,19 @@ def _cloud_of(epoch: Epoch, own: Sequence[TileInfo], survey_crs: str, feedback: 
             kept.append(tile)
         else:
             said = f"{tile.path.name}: holds the same points as {twin.path.name} and is left out"
-            findings.append(_warned(epoch, tile.path, said))
+            findings.append(warned(epoch, tile.path, said))
     kept.sort(key=lambda tile: tile.path)
     try:
         clean = without_strays(kept, survey_crs, feedback.is_cancelled)
     except InputError as error:
-        return (), [*findings, _refused(epoch, "tiles", error)]
+        return (), [*findings, refused(epoch, "tiles", error)]
     for before, after in zip(kept, clean, strict=True):
         if after.strays:
             number = f"{after.strays} point{'s lie' if after.strays > 1 else ' lies'}"
             where = stray_place(before, after) if after.used else "all of the tile's"
             said = f"{after.path.name}: {number} far from all others ({where}), left out"
-            findings.append(_warned(epoch, after.path, said))
+            findings.append(warned(epoch, after.path, said))
     return tuple(tile for tile in clean if tile.used), findings
-
-
-def _warned(epoch: Epoch, path: Path, said: str) -> Finding:
-    """A warning of a tile."""
-    return Finding(verdict="warning", what="tile", name=path.name, epoch=epoch.label, message=said, path=path)
 
 
 def _same_points(one: TileInfo, other: TileInfo) -> bool:
@@ -260,7 +192,7 @@ def _dropped(epoch: Epoch, own: Sequence[TileInfo]) -> list[Finding]:
     share = dropped / points
     said = f"{epoch.label}: {dropped} of {points} points ({100 * share:.2g} %) are classed as noise (7, 18) or withheld and left out"
     verdict: Verdict = "warning" if share > MOST_DROPPED else "note"
-    return [Finding(verdict=verdict, what="tiles", name=f"{len(own)} tiles", epoch=epoch.label, message=said)]
+    return [said_of_tiles(epoch, own, verdict, said)]
 
 
 def _thinned(epoch: Epoch, tiles: Sequence[TileInfo]) -> list[Finding]:
@@ -273,14 +205,13 @@ def _thinned(epoch: Epoch, tiles: Sequence[TileInfo]) -> list[Finding]:
         f"{epoch.label}: {points} points of {len(dense)} of {len(tiles)} tiles are taken as {means} means of small patches: closer points "
         "are too much alike to say more"
     )
-    return [Finding(verdict="note", what="tiles", name=f"{len(dense)} tiles", epoch=epoch.label, message=said)]
+    return [said_of_tiles(epoch, dense, "note", said)]
 
 
 def _strips_of(epoch: Epoch, tiles: tuple[TileInfo, ...]) -> tuple[tuple[TileInfo, ...], list[Finding]]:
     """The tiles with what their point source IDs are taken for; with a table of stations they number these."""
     taken, said = (tiles, "") if epoch.stations is not None else by_strips(epoch.label, tiles)
-    warning = Finding(verdict="warning", what="tiles", name=f"{len(tiles)} tiles", epoch=epoch.label, message=said)
-    return taken, [warning] if said else []
+    return taken, [said_of_tiles(epoch, tiles, "warning", said)] if said else []
 
 
 def _density(epoch: Epoch, tiles: Sequence[TileInfo], height: float) -> list[Finding]:
@@ -294,7 +225,7 @@ def _density(epoch: Epoch, tiles: Sequence[TileInfo], height: float) -> list[Fin
         f"{epoch.label}: about {on_unit:.2g} points on the square of a unit's height ({height:g} m): hardly a unit can be found. "
         "Is the height in metres, as the tiles are?"
     )
-    return [Finding(verdict="warning", what="tiles", name=f"{len(tiles)} tiles", epoch=epoch.label, message=said)]
+    return [said_of_tiles(epoch, tiles, "warning", said)]
 
 
 def _readable(epoch: Epoch) -> Iterator[Finding]:
@@ -337,7 +268,7 @@ def _tried(epoch: Epoch | None, what: str, name: str, check: Callable[[], object
     try:
         said = check()
     except InputError as error:
-        return _refused(epoch, what, error, name)
+        return refused(epoch, what, error, name)
     label = "" if epoch is None else epoch.label
     if isinstance(said, str) and said:
         return Finding(verdict="warning", what=what, name=name, epoch=label, message=said)
@@ -469,7 +400,7 @@ def _copies(one: Epoch, other: Epoch, tiles: dict[str, tuple[TileInfo, ...]]) ->
         twin = next((old for old in before.get(tile.used, ()) if _same_points(tile, old)), None)
         if twin is not None:
             said = f"{tile.path.name}: holds the same points in epoch {other.label} as {twin.path.name} in epoch {one.label}"
-            yield _warned(other, tile.path, said)
+            yield warned(other, tile.path, said)
 
 
 def _check_areas(survey: Survey, areas: LayerFile) -> None:
@@ -484,7 +415,7 @@ def _between(one: Epoch, other: Epoch, clouds: dict[str, Occupancy], place: Plac
     if apart > APART:
         problem = f"the tiles of epoch {other.label} lie {apart / 1000:.1f} km from those of epoch {one.label}"
         remedy = "Are they in another CRS or zone, or are easting and northing exchanged? One survey is of one site."
-        yield _refused(other, "tiles", InputError(problem, source=later[0].path.parent, remedy=remedy))
+        yield refused(other, "tiles", InputError(problem, source=later[0].path.parent, remedy=remedy))
         return
     shift = common_height_shift(clouds[one.label], clouds[other.label])
     if shift is None:
@@ -501,8 +432,3 @@ def _between(one: Epoch, other: Epoch, clouds: dict[str, Occupancy], place: Plac
 def _place(tiles: Sequence[TileInfo], crs: str, height: float) -> Place:
     low, high = np.min([tile.low for tile in tiles], axis=0), np.max([tile.high for tile in tiles], axis=0)
     return Place((float(low[0]), float(low[1]), float(low[2])), (float(high[0]), float(high[1]), float(high[2])), crs, height)
-
-
-def _refused(epoch: Epoch | None, what: str, error: InputError, name: str = "") -> Finding:
-    label = "" if epoch is None else epoch.label
-    return Finding(verdict="refused", what=what, name=name or what, epoch=label, message=str(error), error=error)

@@ -14,7 +14,7 @@ from ..data.tiles import TileInfo
 from ..registration.shift_samples import axis_of
 from ..registration.surveyed_epochs import surveyed_control
 from ..registration.target_spacing import BentSurvey, stations_for
-from .survey_check import Finding
+from .input_findings import Finding
 
 LONG_STRUCTURE = 60.0
 """Length in metres from which flights bend noticeably between targets."""
