@@ -12,7 +12,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from ..common.arrays import FloatArray
+from ..common.arrays import FloatArray, IntArray
 from ..common.atomic_files import cannot_write, replace_durably, temporary_beside
 from ..common.errors import InputError
 from .las_files import POINT_LENGTHS, LasHeader, LasRecord, chunks_of, open_points, positions, read_header
@@ -24,6 +24,7 @@ OF_COMPRESSION = (("laszip encoded", 22204), ("copc", 1), ("copc", 1000), ("copc
 UNDOCUMENTED, UNSIGNED_BYTE, UNSIGNED_INT = 0, 1, 5
 """Data types of extra bytes (LAS 1.4 R15, table 24)."""
 WAVEFORM_FORMATS = (4, 5, 9, 10)
+Values = Callable[[FloatArray, IntArray], Any]
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class Dimension:
     description: str
 
 
-def write_with_dimension(source: Path, target: Path, dimension: Dimension, values: Callable[[FloatArray], Any]) -> int:
+def write_with_dimension(source: Path, target: Path, dimension: Dimension, values: Values) -> int:
     """Copy a LAS, LAZ or COPC file as LAZ with one dimension more, whole or not at all.
 
     Parameters
@@ -44,7 +45,7 @@ def write_with_dimension(source: Path, target: Path, dimension: Dimension, value
     dimension
         What is added.
     values
-        (n,) whole numbers for (n, 3) coordinates of the source.
+        (n,) whole numbers for (n, 3) coordinates of the source and (n,) point source IDs.
 
     Returns
     -------
@@ -97,7 +98,7 @@ def _bytes_of(entry: bytes) -> int:
     return (1, 1, 2, 2, 4, 4, 8, 8, 4, 8)[(kind - 1) % 10] * ((kind - 1) // 10 + 1)
 
 
-def _copy(header: LasHeader, original: BinaryIO, copy: BinaryIO, described: bytes, values: Callable[[FloatArray], Any]) -> int:
+def _copy(header: LasHeader, original: BinaryIO, copy: BinaryIO, described: bytes, values: Values) -> int:
     """Header, records, points and extended records; returns how many points have a value."""
     import lazrs
 
@@ -118,7 +119,7 @@ def _copy(header: LasHeader, original: BinaryIO, copy: BinaryIO, described: byte
     compressor = lazrs.LasZipCompressor(copy, laszip)
     with open_points(header, everything=True) as reader:
         for chunk in chunks_of(reader, header):
-            numbers = np.asarray(values(positions(chunk, header.path)), dtype="<u4")
+            numbers = np.asarray(values(positions(chunk, header.path), np.asarray(chunk.point_source_id, dtype=np.int64)), dtype="<u4")
             raw = np.frombuffer(np.ascontiguousarray(chunk.array).tobytes(), dtype=np.uint8).reshape(len(chunk), -1)
             compressor.compress_many(np.hstack([raw, numbers.view(np.uint8).reshape(-1, 4)]).tobytes())
             found += int((numbers > 0).sum())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import astuple
 from functools import partial
 from pathlib import Path
@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..common.arrays import FloatArray
+from ..common.arrays import FloatArray, IntArray
 from ..common.errors import InputError, OutputError
 from ..common.feedback import Feedback
 from ..common.output_files import check_targets, safe_name
@@ -21,14 +21,13 @@ from ..data.survey import Survey
 from ..data.tiles import transform_of
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
-from ..registration.frame_correction import FrameCorrection
-from ..registration.transformation import transformation_of
 from ..results.geopackage_reader import Row, read_layer_rows
 from ..results.run_record import epochs_of
-from ..results.unit_rows import EpochInfo, unit_sizes
+from ..results.unit_rows import unit_sizes
 from ..results.unit_sizes import unit_of
 from ..segmentation.aggregation import assign
 from .epoch_plans import plan_survey
+from .placed_points import Placing, placing
 
 Transform = Callable[[FloatArray], FloatArray]
 
@@ -63,7 +62,7 @@ def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: F
     total = sum(len(plan.tiles) for plan in plans)
     done = labelled = 0
     for plan in plans:
-        to_control = to_control_frame(infos[plan.epoch.label], bends)
+        placed = placing(infos[plan.epoch.label], bends)
         units: dict[UnitType, list[Row]] = {}
         for row in rows:
             if row["epoch"] == plan.epoch.label:
@@ -76,28 +75,17 @@ def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: F
                 target.parent.mkdir(parents=True, exist_ok=True)
             except OSError as error:
                 raise OutputError(f"cannot be made ({error.strerror})", source=target.parent, remedy="Choose another folder.") from error
-            numbers = partial(_numbers_of, transform=transform_of(tile, survey.crs), to_control=to_control, units=units)
+            numbers = partial(_numbers_of, transform=transform_of(tile, survey.crs), placed=placed, units=units)
             labelled += write_with_dimension(tile.path, target, Dimension(DIMENSION, "number of the tetrapod"), numbers)
             done += 1
     return {"folder": str(folder), "tiles": done, "points": labelled}
 
 
-def to_control_frame(info: EpochInfo, bends: Sequence[Mapping[str, Any]]) -> Transform:
-    """From (n, 3) points of an epoch's cloud to the control frame, as the run saw it: registered, and straightened where it bends."""
-    transformation, correction = transformation_of(info.transformation), FrameCorrection.from_rows(bends, info.label)
-
-    def placed(points: FloatArray) -> FloatArray:
-        registered = points if transformation is None else transformation.apply(points)
-        return registered - correction.at(registered)
-
-    return placed
-
-
 def _numbers_of(
-    xyz: FloatArray, transform: Transform | None, to_control: Transform, units: Mapping[UnitType, list[Row]]
+    xyz: FloatArray, source_ids: IntArray, transform: Transform | None, placed: Placing, units: Mapping[UnitType, list[Row]]
 ) -> NDArray[np.uint32]:
     """(n,) number of the unit of each point, in the CRS of its tile."""
-    return _numbers(to_control(xyz if transform is None else transform(xyz)), units)
+    return _numbers(placed(xyz if transform is None else transform(xyz), source_ids), units)
 
 
 def _numbers(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> NDArray[np.uint32]:

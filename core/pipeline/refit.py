@@ -37,6 +37,7 @@ from ..review.pose_consequences import NewPose
 from ..segmentation.segment import DetectedUnit, segment
 from .block_jobs import ROUGHNESS_RATIO, adjusted_nearby
 from .epoch_plans import plan_survey
+from .placed_points import placing
 
 REACH_HEIGHTS = 1.6
 """Points are kept this far from a unit's centre, in heights: the unit, its neighbours' near sides, and room for a motion of half H."""
@@ -68,20 +69,17 @@ def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[
     def tiles() -> Iterator[tuple[str, str, FloatArray]]:
         done = 0
         for plan in plans:
-            transformation = transformation_of(infos[plan.epoch.label].transformation)
-            correction = FrameCorrection.from_rows(bends, plan.epoch.label)
+            info = infos[plan.epoch.label]
+            placed, transformation = placing(info, bends), transformation_of(info.transformation)
             beams = noise_of(plan.epoch, checksum)
             for tile in plan.tiles:
                 feedback.check()
                 feedback.progress(0.05 + 0.95 * done / count, f"reading {tile.path.name}")
                 cloud = read_points([tile], survey.crs, is_cancelled=feedback.is_cancelled)
-                places = [cloud.xyz + cloud.origin]
+                places = [placed(cloud.xyz + cloud.origin, cloud.source_id)]
                 if beams is not None:
-                    places.append(beams.sensors(cloud.source_id, cloud.gps_time))
-                if transformation is not None:
-                    places = [transformation.apply(place) for place in places]
-                places[0] = places[0] - correction.at(places[0])
-                places[0] = places[0] - offsets_of_points(infos[plan.epoch.label], cloud.source_id)
+                    sensors = beams.sensors(cloud.source_id, cloud.gps_time)
+                    places.append(sensors if transformation is None else transformation.apply(sensors))
                 yield plan.epoch.label, tile.path.name, np.hstack(places)
                 done += 1
 
@@ -90,13 +88,6 @@ def index_unit_points(survey: Survey, result: Path, feedback: Feedback) -> dict[
     kept = write_index(folder, tiles(), np.array(centres).reshape(-1, 3), REACH_HEIGHTS * height, noise=noise, state=state)
     feedback.info(f"{kept} points around {len(centres)} positions of units")
     return {"index": str(folder), "points": kept}
-
-
-def offsets_of_points(info: EpochInfo, source_ids: ArrayLike) -> FloatArray:
-    """(n, 3) offsets of the strips or stations of points, metres in the control frame, as the run estimated them; 0 where it did not."""
-    known = {int(source): offset for source, offset in info.settings.get("source_offsets_m", {}).items()}
-    ids, inverse = np.unique(np.asarray(source_ids, dtype=np.int64), return_inverse=True)
-    return np.array([known.get(int(source), (0.0, 0.0, 0.0)) for source in ids], dtype=np.float64).reshape(-1, 3)[inverse]
 
 
 def refit_unit(result: Path, unit_id: str, epoch: str, near: ArrayLike, *, editor: str, seed: int = 0) -> dict[str, Any]:

@@ -13,8 +13,10 @@ from pathlib import Path
 import laspy
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.data.las_files import checksum
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.labelled_tiles import write_labelled_tiles
 from tetratrack.core.pipeline.refit import index_unit_points
@@ -58,9 +60,35 @@ def test_units_of_the_second_type_have_its_size(tiny: Path, result: Path, tmp_pa
     first = kind | {"name": "tetrapod 1 t", "height": 0.5 * kind["height"], "leg_length": 0.5 * kind["leg_length"]}
     with closing(sqlite3.connect(twofold)) as connection, connection:
         settings = json.dumps({"leg_length": first["leg_length"], "unit_types": [first, kind]})
-        connection.execute("UPDATE epochs SET settings = ?", (settings,))
+        connection.execute("UPDATE epochs SET settings = json_patch(settings, ?)", (settings,))
     counts = [write_labelled_tiles(survey, path, tmp_path / path.parent.name, Feedback())["points"] for path in (result, twofold)]
     assert counts[0] == counts[1]
+
+
+def test_points_are_labelled_less_the_offsets_of_their_strips(tiny: Path, result: Path, tmp_path: Path):
+    """A strip that lies aside by more than a point may be off its unit belongs to the same units, as the run took it."""
+    folder, path = tmp_path / "survey", tmp_path / "aside.gpkg"
+    shutil.copytree(tiny, folder)
+    shutil.copy(result, path)
+    moved, survey = np.array([0.06, -0.05, 0.04]), read_survey(folder / "survey.toml")
+    strip = int(np.asarray(laspy.read(survey.epochs[0].tiles[0]).point_source_id)[0])
+    counts = [write_labelled_tiles(read_survey(tiny / "survey.toml"), result, tmp_path / "as_it_is", Feedback())["points"]]
+    for epoch in survey.epochs:
+        for tile in epoch.tiles:
+            cloud = laspy.read(tile)
+            cloud.xyz = np.asarray(cloud.xyz) + moved * (np.asarray(cloud.point_source_id) == strip)[:, None]
+            cloud.write(tile)
+    digests = {tile.name: checksum(tile) for epoch in survey.epochs for tile in epoch.tiles}
+    with closing(sqlite3.connect(path)) as connection, connection:
+        for label, text, transformation in connection.execute("SELECT label, settings, transformation FROM epochs").fetchall():
+            settings = json.loads(text)
+            settings["inputs"] = [given | {"sha256": digests.get(given["name"], given["sha256"])} for given in settings["inputs"]]
+            known = settings.get("source_offsets_m", {}).get(str(strip), (0.0, 0.0, 0.0))
+            turn = Rotation.from_rotvec(json.loads(transformation)["rotation_vector_rad"])
+            settings["source_offsets_m"] |= {str(strip): (turn.apply(moved) + known).tolist()}
+            connection.execute("UPDATE epochs SET settings = ? WHERE label = ?", (json.dumps(settings), label))
+    counts.append(write_labelled_tiles(survey, path, tmp_path / "aside", Feedback())["points"])
+    assert counts[1] == pytest.approx(counts[0], rel=0.002)
 
 
 def test_tiles_of_another_survey_are_refused(tiny: Path, result: Path, tmp_path: Path):
