@@ -19,6 +19,7 @@ from tetratrack.core.model.feature_points import body_features, label_symmetry
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.registration.control import register
+from tetratrack.core.simulation.survey_plan import STRETCH_NUMBERS
 
 FloatArray = NDArray[np.float64]
 CENTRE_TOLERANCE, FEATURE_TOLERANCE, COUNTED = 0.25, 0.15, 0.05
@@ -77,6 +78,12 @@ def unit_rows(folder: Path) -> list[dict[str, str]]:
     """Rows of ``truth/units.csv`` of a survey's folder; units taken away have no coordinates."""
     with (folder / "truth" / "units.csv").open(newline="", encoding="utf-8") as stream:
         return list(csv.DictReader(stream))
+
+
+def number_of(unit_id: str) -> int:
+    """Number by which points of a unit are labelled: 17 for U017, 2017 for U017_002, unit 17 of stretch 2 of a coast."""
+    number, _, stretch = unit_id.removeprefix("U").partition("_")
+    return int(number) + STRETCH_NUMBERS * int(stretch or 0)
 
 
 def read_epoch(survey: Survey, label: str) -> EpochCloud:

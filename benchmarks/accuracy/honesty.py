@@ -21,6 +21,7 @@ from pathlib import Path
 import laspy
 import numpy as np
 from scipy.spatial.transform import Rotation
+from tetratrack.benchmarks.ground_truth import number_of
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.run_options import RunOptions
@@ -84,7 +85,7 @@ def seen_stumps(folder: Path) -> set[tuple[str, str]]:
             if row["epoch"] != epoch.label or not row["E"] or row["broken"] != "1":
                 continue
             turn = Rotation.from_quat([float(row[k]) for k in ("qx", "qy", "qz", "qw")])
-            body = turn.inv().apply(points[numbers == int(row["unit_id"][1:])] - [float(row[k]) for k in "ENH"])
+            body = turn.inv().apply(points[numbers == number_of(row["unit_id"])] - [float(row[k]) for k in "ENH"])
             lean = body @ shape.leg_directions.T
             along, leg = lean.max(axis=1) / shape.leg_length, lean.argmax(axis=1)
             stump, end = (np.bincount(leg[along > share], minlength=4) for share in (JOINT, END))

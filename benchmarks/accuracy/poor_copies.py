@@ -16,7 +16,7 @@ import laspy
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
-from tetratrack.benchmarks.ground_truth import point_labels, read_epoch
+from tetratrack.benchmarks.ground_truth import number_of, point_labels, read_epoch
 from tetratrack.core.data.survey import Survey
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.model.tetrapod import surface_cells
@@ -117,7 +117,7 @@ def _count_anew(folder: Path) -> None:
         places = {unit.unit_id: unit.pose for unit in cloud.truth}
         for row in rows:
             if row["epoch"] == epoch.label and row["unit_id"] in places:
-                own = xyz[labels == int(row["unit_id"][1:])]
+                own = xyz[labels == number_of(row["unit_id"])]
                 seen = np.unique(cells.query(places[row["unit_id"]].to_body(own))[1]) if len(own) else []
                 row["visible_area_fraction"], row["n_points"] = f"{len(seen) / CELLS:.4f}", str(len(own))
     with path.open("w", newline="", encoding="utf-8") as stream:

@@ -158,7 +158,8 @@ class CoastSimulation(Simulation):
     def _on_coast(self, k: int, pile: Pile) -> Pile:
         return tuple(_shifted(u, self._middle(k)) for u in pile)
 
-    def _name(self, number: int) -> str:
+    def unit_name(self, number: int) -> str:
+        """Name of a unit in ``truth/``: number in its stretch, and stretch."""
         return f"U{number % STRETCH_NUMBERS:03d}_{number // STRETCH_NUMBERS:03d}"
 
     def targets(self) -> FloatArray:

@@ -119,7 +119,7 @@ class Simulation:
             views=views if plan.other_views and epoch > 0 else None,
         )
 
-    def _name(self, number: int) -> str:
+    def unit_name(self, number: int) -> str:
         """Name of a unit in ``truth/``."""
         return f"U{number:03d}"
 
@@ -163,12 +163,12 @@ class Simulation:
             qx, qy, qz, qw = (round(float(q), 7) for q in pose.quaternion())
             self.units_rows.append(
                 [
-                    *(self._name(u.number), label, *centre, qw, qx, qy, qz, round(shape.height, 5), round(seen[u.number], 4)),
+                    *(self.unit_name(u.number), label, *centre, qw, qx, qy, qz, round(shape.height, 5), round(seen[u.number], 4)),
                     *(len(body), int(np.sum(legs >= 40)), int(u.broken_leg >= 0), u.status),
                 ]
             )
             facing_centre = int(seen[u.number] >= 0.05)
-            name_of_unit = self._name(u.number)
+            name_of_unit = self.unit_name(u.number)
             self.feature_rows.append([name_of_unit, label, "centre", *centre, facing_centre])
             for name, opposite, place in zip(FEATURES[1:], _OPPOSITE, body_features(shape)[1:], strict=True):
                 near = body[np.linalg.norm(body - place, axis=1) < 0.16 * shape.height]
@@ -176,7 +176,7 @@ class Simulation:
                 at = (f"{v:.{digits}f}" for v in pose.to_frame(place))
                 self.feature_rows.append([name_of_unit, label, name, *at, int(three)])
         for number in gone:
-            self.units_rows.append([self._name(number), label, *[""] * 12, "removed"])
+            self.units_rows.append([self.unit_name(number), label, *[""] * 12, "removed"])
         return seen
 
     def _record_moves(self, before: Iterable[PiledUnit], pile: tuple[PiledUnit, ...], epoch: int) -> None:
@@ -188,7 +188,7 @@ class Simulation:
             shift = self.frame.turn @ (new.pose.centre - old.pose.centre)
             angle = math.degrees(Rotation.from_matrix(new.pose.rotation @ old.pose.rotation.T).magnitude())
             moved = int(new.status != "stable")
-            row = [self._name(old.number), label_of(self.times[epoch - 1]), label_of(self.times[epoch])]
+            row = [self.unit_name(old.number), label_of(self.times[epoch - 1]), label_of(self.times[epoch])]
             self.move_rows.append(
                 [*row, *(f"{v:.{self.digits}f}" for v in shift), f"{np.linalg.norm(shift):.{self.digits}f}", round(angle, 4), moved]
             )
@@ -284,7 +284,7 @@ class Simulation:
                 continue
             shape, pose = u.shape(self.unit), self.frame.pose(u.pose)
             for name, place in zip(FEATURES[1:], body_features(shape)[1:], strict=True):
-                if (self._name(u.number), name) not in visible:
+                if (self.unit_name(u.number), name) not in visible:
                     continue
                 point = pose.to_frame(place) + self.rng.normal(0, sd, 3)
                 rough = pose.centre + self.rng.normal(0, 0.03 * shape.height, 3)
