@@ -265,8 +265,12 @@ def _epoch(found: FoundEpoch, mine: Mapping[Role, FoundTable], tiles_crs: str | 
         one, other = ("control", "targets") if control is not None else ("targets", "control")
         path = (control or targets).path  # type: ignore[union-attr]
         comments.append(f"{path.name} looks like {one}; it is used together with {other}, which were not found")
-    if "check" in mine and not mine["check"].swapped and mine["check"].unit == "m":
-        values["check"], reasons["check"] = mine["check"].path, mine["check"].reason
+    check = mine.get("check")
+    if check is not None and not check.swapped and check.unit == "m":
+        values["check"], reasons["check"] = check.path, check.reason
+    elif check is not None:
+        told = check.reason.partition("; ")[2]
+        comments.append(f"{check.path.name} looks like check points ({told}): write it in metres, easting first, to use it")
     for role in ("trajectory", "stations"):
         if role in mine:
             comments.append(f"{mine[role].path.name} looks like {role}: add {role}, range_sd and angle_sd (from the data sheet) to use it")
