@@ -404,7 +404,7 @@ def simulate(
         )  # fmt: skip
         return {"survey": str(simulate_survey(plan, output, feedback.progress))}
 
-    _run(quiet, log_file, json_progress, step, FINISHED)
+    _run(quiet, log_file, json_progress, step)
 
 
 @app.command()
@@ -469,7 +469,8 @@ def plan(
         except ValueError as error:
             raise InputError(str(error), remedy="Change the option it names.") from error
         along: dict[str, Any] = {}
-        if coast > 0:
+        # a length that is none is refused there
+        if coast != 0:
             bent = BentSurvey(bend=bend, correlation_length=correlation_length, target_sd=target_sd, targets=targets)
             stations, spacing = stations_for(bent, limit, coast)
             along = {"stations": stations, "station_spacing": spacing, "detectable_control": bent.detectable(spacing)}

@@ -36,12 +36,23 @@ class BentSurvey:
         Standard deviation of one target in the cloud, survey included, per coordinate.
     targets
         Targets of one station.
+
+    Raises
+    ------
+    InputError
+        Something is no number that a survey can have.
     """
 
     bend: float = 0.03
     correlation_length: float = 35.0
     target_sd: float = 0.006
     targets: int = 3
+
+    def __post_init__(self) -> None:
+        for field, least in (("bend", 0.0), ("correlation_length", 1e-3), ("target_sd", 0.0), ("targets", 1)):
+            value = getattr(self, field)
+            if not least <= value < math.inf:
+                raise InputError(f"{field} must be a number of {least:g} or more, got {value!r}", where=field, remedy="Correct the number.")
 
     def unknown(self, spacing: float) -> float:
         """Standard deviation (m, per coordinate) of an epoch's error halfway between stations ``spacing`` metres apart."""
@@ -70,7 +81,7 @@ class BentSurvey:
             No spacing does: the targets themselves are not good enough.
         """
         low, high = CLOSEST, max(length, CLOSEST)
-        if self.detectable(low) > limit:
+        if not self.detectable(low) <= limit:
             raise InputError(
                 f"a detection limit of {limit:g} m cannot be reached with {self.targets} targets of {self.target_sd:g} m a station",
                 where="limit",
@@ -85,7 +96,15 @@ class BentSurvey:
 
 
 def stations_for(survey: BentSurvey, limit: float, length: float) -> tuple[int, float]:
-    """Stations for a structure of ``length`` metres, one at each end, and their distance in metres."""
+    """Stations for a structure of ``length`` metres, one at each end, and their distance in metres.
+
+    Raises
+    ------
+    InputError
+        The length is none, or no spacing keeps the limit.
+    """
+    if not 0 < length < math.inf:
+        raise InputError(f"a structure of {length!r} m has no stations", where="length", remedy="Give its length in metres.")
     spacing = survey.spacing_for(limit, length)
     count = max(2, math.ceil(length / spacing) + 1)
     return count, length / (count - 1)

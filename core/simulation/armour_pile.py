@@ -172,6 +172,8 @@ def settle(
 
 def settle_models(unit: UnitType, count: int, rng: np.random.Generator) -> tuple[PiledUnit, ...]:
     """Models set by hand on a table (plane z = 0), most on three legs, the last leaning on the others."""
+    if count == 0:
+        return ()
     h = unit.height
     big = UnitType.tetrapod(1.0, radius=unit.radius / h, gradient=unit.gradient, leg_length=unit.leg_length / h, opening=unit.opening)
     starts, turns = [], []

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..common.arrays import FloatArray, IntArray
+from ..common.errors import InputError
 
 WAVES = 8
 
@@ -33,6 +34,11 @@ class FrameErrors:
         sign by epoch.
     shortest, longest
         Wave lengths of bend and drift.
+
+    Raises
+    ------
+    InputError
+        Something is no number that a frame can err by.
     """
 
     bend: float = 0.0
@@ -40,6 +46,18 @@ class FrameErrors:
     bowl: float = 0.0
     shortest: float = 60.0
     longest: float = 300.0
+
+    def __post_init__(self) -> None:
+        for field in ("bend", "drift", "bowl"):
+            value = getattr(self, field)
+            if not math.isfinite(value) or value < 0:
+                raise InputError(f"{field} must be 0 or a positive number, got {value!r}", where=field, remedy="Correct the number.")
+        if not 0 < self.shortest <= self.longest < math.inf:
+            raise InputError(
+                f"waves of {self.shortest:g} to {self.longest:g} m cannot be drawn",
+                where="wave lengths",
+                remedy="Give the shortest and then the longest, both above 0.",
+            )
 
 
 RIGID = FrameErrors()

@@ -29,7 +29,7 @@ class SimulationPlan:
     instrument
         ``uav``, ``tls``, ``photogrammetry`` or ``depth_camera``.
     units
-        Number of units of the first epoch; 0 gives rock, wall and water only.
+        Number of units of the first epoch; 0 gives rock, wall and water only, or the table.
     height
         Nominal unit height, metres.
     epochs

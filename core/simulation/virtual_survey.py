@@ -8,6 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ..common.errors import CrsError, OutputError
+from ..data.crs import check_survey_crs, ground_scale
+from ..data.plausibility import MOST_SCALE_ERROR
 from .coast import CoastSimulation
 from .survey_plan import SimulationPlan
 from .survey_simulation import Simulation
@@ -34,7 +36,7 @@ def simulate_survey(plan: SimulationPlan, folder: Path, progress: Callable[[floa
     OutputError
         The folder exists or cannot be written.
     InputError
-        MuJoCo is not installed, or the CRS is not projected.
+        MuJoCo is not installed, or no survey can be in the CRS.
     """
     report = progress or (lambda fraction, message: None)
     if folder.exists():
@@ -59,15 +61,11 @@ def simulate_survey(plan: SimulationPlan, folder: Path, progress: Callable[[floa
 
 
 def _vet_crs(plan: SimulationPlan) -> None:
-    if plan.crs == "LOCAL":
-        return
-    from pyproj import CRS
-    from pyproj.exceptions import CRSError
-
+    """Refuse what a run would refuse of the survey."""
     for name in (plan.crs, plan.las_crs or plan.crs):
-        try:
-            crs = CRS.from_user_input(name)
-        except CRSError as cause:
-            raise CrsError(f"{name!r} is not a CRS", where="crs", remedy="Give an EPSG code or LOCAL.") from cause
-        if not (crs.sub_crs_list[0] if crs.is_compound else crs).is_projected:
-            raise CrsError(f"{name} is not projected", where="crs", remedy="Give a projected CRS or LOCAL.")
+        check_survey_crs(name, where="crs")
+    scales = ground_scale(plan.crs, plan.origin[0], plan.origin[1])
+    if scales is not None and max(abs(scale - 1) for scale in scales[:2]) > MOST_SCALE_ERROR:
+        raise CrsError(
+            f"{plan.crs} is no measure on the ground at the site", where="crs", remedy=f"Give the grid there, such as {scales[2]}."
+        )

@@ -234,6 +234,9 @@ def test_a_simulated_unit_of_the_usual_height_has_the_shape_that_is_told(
     ("arguments", "words"),
     [
         (["plan", "--density", "500", "--noise", "0.01", "--height", "2300"], "Is it in millimetres? Then write 2.3."),
+        (["plan", "--density", "500", "--noise", "0.01", "--height", "2.3", "--coast", "-300"], "has no stations"),
+        (["plan", "--density", "500", "--noise", "0.01", "--height", "2.3", "--coast", "nan"], "has no stations"),
+        (["simulate", "-o", "SITE/made", "--bend", "0.03", "--wave-lengths", "0", "0"], "cannot be drawn"),
         (["simulate", "-o", "SITE/made", "--height", "2300"], "Is it in millimetres? Then write 2.3."),
         (["simulate", "-o", "SITE/made", "--radius", "608"], "Is it in millimetres? Then write 0.608."),
         (["init", "SITE", "--height", "2300"], "Is it in millimetres? Then write 2.3."),

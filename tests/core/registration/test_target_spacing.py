@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 from tetratrack.core.common.errors import InputError
@@ -44,3 +46,19 @@ def test_stations_keep_the_limit_and_fewer_do_not() -> None:
 def test_a_limit_below_the_targets_own_is_refused() -> None:
     with pytest.raises(InputError, match="cannot be reached"):
         stations_for(BentSurvey(target_sd=0.05), 0.01, 200.0)
+
+
+@pytest.mark.parametrize(
+    "numbers", [{"correlation_length": 0.0}, {"bend": math.nan}, {"bend": -0.03}, {"target_sd": math.inf}, {"targets": 0}]
+)
+def test_numbers_of_no_survey_are_refused(numbers: dict[str, float]) -> None:
+    """They came out as stations every two metres, with a detection limit that is no number."""
+    with pytest.raises(InputError) as caught:
+        BentSurvey(**numbers)
+    assert caught.value.where in numbers
+
+
+@pytest.mark.parametrize("length", [-300.0, math.nan, math.inf])
+def test_lengths_of_no_structure_are_refused(length: float) -> None:
+    with pytest.raises(InputError, match="has no stations"):
+        stations_for(BentSurvey(), 0.05, length)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
+from tetratrack.core.common.errors import InputError
 from tetratrack.core.simulation.armour_pile import Site
 from tetratrack.core.simulation.bent_frames import FrameErrors, FrameOfEpoch
 
@@ -51,3 +54,20 @@ def test_a_bowl_is_no_deeper_at_the_toe_of_a_short_site() -> None:
 
 def test_without_errors_a_frame_is_rigid() -> None:
     assert (FrameOfEpoch(FrameErrors(), 0, 20.0, 0).at(along(), np.ones(4000, dtype=np.int64)) == 0).all()
+
+
+@pytest.mark.parametrize(
+    ("errors", "where"),
+    [
+        ({"shortest": 0.0}, "wave lengths"),
+        ({"shortest": -5.0}, "wave lengths"),
+        ({"shortest": 300.0, "longest": 60.0}, "wave lengths"),
+        ({"longest": math.inf}, "wave lengths"),
+        ({"bend": math.nan}, "bend"),
+        ({"drift": -0.01}, "drift"),
+    ],
+)
+def test_errors_that_no_frame_has_are_refused(errors: dict[str, float], where: str) -> None:
+    with pytest.raises(InputError) as caught:
+        FrameErrors(**errors)
+    assert caught.value.where == where

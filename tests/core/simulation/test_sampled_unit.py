@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 from tetratrack.core.common.errors import CrsError, InputError, OutputError
+from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import relate, sample_surface
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.simulation.armour_pile import CONTACT_TOLERANCE, Changes, PiledUnit, Site, change, deepest_overlap
 from tetratrack.core.simulation.sampled_unit import cloud_of, interlocked_poses, interlocked_rows, single_unit
-from tetratrack.core.simulation.survey_plan import SimulationPlan
+from tetratrack.core.simulation.survey_plan import SimulationPlan, plan_of
 
 PAPER_UNIT = UnitType.tetrapod(3.608833, radius=1.0, gradient=0.1958, leg_length=2.32409)
 
@@ -97,12 +98,23 @@ def test_a_plan_that_cannot_be_simulated_names_the_field(field: str, value: obje
     assert caught.value.remedy
 
 
-def test_an_existing_folder_or_a_geographic_crs_is_refused(tmp_path: Path) -> None:
+def test_an_existing_folder_or_a_crs_that_a_run_refuses_is_refused(tmp_path: Path) -> None:
     pytest.importorskip("open3d")
     from tetratrack.core.simulation.virtual_survey import simulate_survey
 
     with pytest.raises(OutputError, match="exists"):
         simulate_survey(SimulationPlan("x", units=0), tmp_path)
-    with pytest.raises(CrsError, match="not projected"):
-        simulate_survey(SimulationPlan("x", units=0, crs="EPSG:4326"), tmp_path / "new")
+    refused = {"EPSG:4326": "geographic", "EPSG:2227": "foot", "EPSG:2053": "west", "EPSG:3857": "no measure on the ground"}
+    for crs, said in refused.items():
+        with pytest.raises(CrsError, match=said):
+            simulate_survey(SimulationPlan("x", units=0, crs=crs), tmp_path / "new")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_table_without_models_can_be_simulated(tmp_path: Path) -> None:
+    pytest.importorskip("open3d")
+    from tetratrack.core.simulation.virtual_survey import simulate_survey
+
+    plan = dataclasses.replace(plan_of("depth_camera", "x", units=0), density=20_000)
+    survey = read_survey(simulate_survey(plan, tmp_path / "new"))
+    assert [len(epoch.tiles) > 0 for epoch in survey.epochs] == [True, True]
