@@ -11,11 +11,13 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..common.arrays import FloatArray, IntArray
+from ..common.arrays import FloatArray
 from ..common.atomic_files import cannot_write, replace_durably, temporary_beside
 from ..common.errors import InputError
 from .las_files import POINT_LENGTHS, LasHeader, LasRecord, chunks_of, open_points, positions, read_header
+from .tile_extent import point_records
 
 EXTRA_BYTES = ("LASF_Spec", 4)
 WAVEFORMS = ("LASF_Spec", 65535)
@@ -24,7 +26,7 @@ OF_COMPRESSION = (("laszip encoded", 22204), ("copc", 1), ("copc", 1000), ("copc
 UNDOCUMENTED, UNSIGNED_BYTE, UNSIGNED_INT = 0, 1, 5
 """Data types of extra bytes (LAS 1.4 R15, table 24)."""
 WAVEFORM_FORMATS = (4, 5, 9, 10)
-Values = Callable[[FloatArray, IntArray], Any]
+Values = Callable[[FloatArray, NDArray[np.uint16], FloatArray], Any]
 
 
 @dataclass(frozen=True)
@@ -45,7 +47,7 @@ def write_with_dimension(source: Path, target: Path, dimension: Dimension, value
     dimension
         What is added.
     values
-        (n,) whole numbers for (n, 3) coordinates of the source and (n,) point source IDs.
+        (n,) whole numbers for (n, 3) coordinates of the source, (n,) point source IDs and (n,) GPS times, zero where there are none.
 
     Returns
     -------
@@ -119,7 +121,8 @@ def _copy(header: LasHeader, original: BinaryIO, copy: BinaryIO, described: byte
     compressor = lazrs.LasZipCompressor(copy, laszip)
     with open_points(header, everything=True) as reader:
         for chunk in chunks_of(reader, header):
-            numbers = np.asarray(values(positions(chunk, header.path), np.asarray(chunk.point_source_id, dtype=np.int64)), dtype="<u4")
+            records = point_records(chunk, header, np.ones(len(chunk), dtype=np.bool_))
+            numbers = np.asarray(values(positions(chunk, header.path), *records), dtype="<u4")
             raw = np.frombuffer(np.ascontiguousarray(chunk.array).tobytes(), dtype=np.uint8).reshape(len(chunk), -1)
             compressor.compress_many(np.hstack([raw, numbers.view(np.uint8).reshape(-1, 4)]).tobytes())
             found += int((numbers > 0).sum())

@@ -20,6 +20,7 @@ from ..common.errors import OutputError
 from ..common.software import code_fingerprint
 from ..common.user_cache import cache_folder
 from .occupancy import Occupancy
+from .places_by_second import PlacesBySecond
 
 MOST_FILES = 4000
 """Files kept; the oldest go."""
@@ -29,8 +30,9 @@ MOST_FILES = 4000
 class Scan:
     """Extents (3,) of all points in the tile's own CRS, and of the points that are used in the survey's, and where these are.
 
-    Of the points that are used also the first and last GPS time (2,), infinity and its negative where there is none, and the point source
-    IDs that occur (k,). Of a tile that was thinned, the key of the means (:mod:`.thinned_clouds`) and their number.
+    Of the points that are used also the first and last GPS time (2,), infinity and its negative where there is none, the point source IDs
+    that occur (k,), and where they were measured in each second. Of a tile that was thinned, the key of the means
+    (:mod:`.thinned_clouds`) and their number.
     """
 
     raw_low: FloatArray
@@ -40,6 +42,7 @@ class Scan:
     cells: Occupancy
     times: FloatArray
     sources: IntArray
+    by_second: PlacesBySecond
     thinned: str = ""
     means: int = 0
 
@@ -68,7 +71,8 @@ def load(key: str) -> Scan | None:
         with np.load(folder / f"{key}.npz", allow_pickle=False) as kept:
             cells = Occupancy(int(kept["level"]), kept["cells"], kept["counts"], kept["heights"])
             own = {name: kept[name] for name in ("raw_low", "raw_high", "low", "high", "times", "sources")}
-            return Scan(**own, cells=cells, thinned=str(kept["thinned"]), means=int(kept["means"]))
+            by_second = PlacesBySecond(kept["seconds"], kept["by_second"], kept["sums"])
+            return Scan(**own, cells=cells, by_second=by_second, thinned=str(kept["thinned"]), means=int(kept["means"]))
     except Exception:
         # a damaged archive raises whatever its bytes lead to, as in array_files.load_arrays
         return None
@@ -84,7 +88,9 @@ def store(key: str, scan: Scan) -> None:
     np.savez_compressed(
         buffer, raw_low=scan.raw_low, raw_high=scan.raw_high, low=scan.low, high=scan.high,
         level=np.array(cells.level), cells=cells.cells, counts=cells.counts, heights=cells.heights,
-        times=scan.times, sources=scan.sources, thinned=np.array(scan.thinned), means=np.array(scan.means),
+        times=scan.times, sources=scan.sources,
+        seconds=scan.by_second.seconds, by_second=scan.by_second.counts, sums=scan.by_second.sums,
+        thinned=np.array(scan.thinned), means=np.array(scan.means),
     )  # fmt: skip
     # a memory that cannot be kept is no loss
     with contextlib.suppress(OSError, OutputError), temporary_beside(folder / f"{key}.npz") as temporary:

@@ -15,6 +15,7 @@ from ..common.patch_means import Means
 from . import scan_cache, thinned_clouds
 from .las_files import LasHeader, chunks_of, open_points, positions
 from .occupancy import Occupancy, merged, stray_cells
+from .places_by_second import PlacesBySecond
 from .scan_cache import Scan
 from .thinned_clouds import Thinning
 
@@ -56,6 +57,7 @@ def looked_through(
     parts = [Occupancy.empty(level)]
     times = np.array([np.inf, -np.inf])
     occurs = np.zeros(1 << 16, dtype=np.bool_)
+    by_second = PlacesBySecond.empty()
     thinning = Thinning(radius, header.count)
     with open_points(header) as reader:
         for chunk in chunks_of(reader, header):
@@ -83,7 +85,9 @@ def looked_through(
                 extents[2], extents[3] = np.minimum(extents[2], low), np.minimum(extents[3], -high)
                 parts = [merged([*parts, Occupancy.of(used, level)]).bounded()]
                 thinning.add(used, sources, np.nan_to_num(seconds))
-    scan = Scan(extents[0], -extents[1], extents[2], -extents[3], parts[0], times, np.flatnonzero(occurs))
+                if header.has_time:
+                    by_second = PlacesBySecond.merged([by_second, PlacesBySecond.of(seconds, used)])
+    scan = Scan(extents[0], -extents[1], extents[2], -extents[3], parts[0], times, np.flatnonzero(occurs), by_second)
     return scan, thinning.means()
 
 

@@ -21,6 +21,7 @@ from .crs import TileTransform, crs_text, parse_crs, resolved_crs, tile_transfor
 from .las_crs import declared_crs
 from .las_files import LasHeader, chunks_of, copc_chunks, open_points, positions, read_header
 from .occupancy import Occupancy, merged, stray_cells
+from .places_by_second import PlacesBySecond
 from .repeated_points import by_place, second_copies
 from .scan_cache import Scan
 from .tile_extent import looked_through, main_part, point_records, said_of_extent, scanned, usable
@@ -102,8 +103,10 @@ class TileInfo:
         First and last GPS time of these; infinity and its negative where they have none.
     sources
         Point source IDs that occur among them.
-    one_strip
-        Whether its points are read with the source ID 0, since theirs number no strips (:mod:`.strip_numbers`).
+    by_second
+        Where they were measured in each second.
+    strip_starts
+        GPS times at which strips begin, where those of the points' own numbers are none (:mod:`.strip_numbers`); None where they are.
     thinned, patch, means
         Of a tile that is denser than is of use: the key of its thinned points (:mod:`.thinned_clouds`), the radius of the patches, metres,
         and their number. Whoever reads the tile reads these.
@@ -133,7 +136,8 @@ class TileInfo:
     cells: Occupancy | None = field(default=None, compare=False, repr=False)
     times: tuple[float, float] = (math.inf, -math.inf)
     sources: tuple[int, ...] = ()
-    one_strip: bool = False
+    by_second: PlacesBySecond = field(default_factory=PlacesBySecond.empty, compare=False, repr=False)
+    strip_starts: tuple[float, ...] | None = None
     thinned: str = ""
     patch: float = 0.0
     means: int = 0
@@ -152,6 +156,12 @@ class TileInfo:
     def density(self) -> float:
         """Points per square metre of the extent."""
         return self.points / max((self.high[0] - self.low[0]) * (self.high[1] - self.low[1]), 1e-6)
+
+    def strips_of(self, source_id: NDArray[np.uint16], gps_time: FloatArray) -> NDArray[np.uint16]:
+        """(n,) numbers of the strips or stations of points with source IDs and GPS times (n,) as in the file; 0 where there is none."""
+        if self.strip_starts is None:
+            return source_id
+        return np.searchsorted(np.array(self.strip_starts), np.nan_to_num(gps_time), side="right").astype(np.uint16)
 
 
 @dataclass(frozen=True, eq=False)
@@ -424,7 +434,7 @@ def _read_tile(
             if window is not None:
                 keep &= window.contains(xyz)
             sources, times = point_records(chunk, header, keep)
-            yield xyz[keep] - origin, np.zeros_like(sources) if tile.one_strip else sources, np.nan_to_num(times), np.zeros(len(sources))
+            yield xyz[keep] - origin, tile.strips_of(sources, times), np.nan_to_num(times), np.zeros(len(sources))
 
 
 def _means_of(
@@ -439,8 +449,7 @@ def _means_of(
     keep = np.ones(len(means.xyz), dtype=np.bool_) if window is None else window.contains(means.xyz)
     if tile.strays:
         keep &= in_box(means.xyz, tile.low, tile.high)
-    sources = means.sources[keep]
-    return means.xyz[keep] - origin, np.zeros_like(sources) if tile.one_strip else sources, means.times[keep], means.spread[keep]
+    return means.xyz[keep] - origin, tile.strips_of(means.sources[keep], means.times[keep]), means.times[keep], means.spread[keep]
 
 
 def _tile_of(header: LasHeader, scan: Scan | None, transform: TileTransform, remarks: Sequence[str]) -> TileInfo:
@@ -467,6 +476,7 @@ def _tile_of(header: LasHeader, scan: Scan | None, transform: TileTransform, rem
         cells=None if scan is None else scan.cells,
         times=(math.inf, -math.inf) if scan is None else (float(scan.times[0]), float(scan.times[1])),
         sources=() if scan is None else tuple(scan.sources.tolist()),
+        by_second=PlacesBySecond.empty() if scan is None else scan.by_second,
         thinned="" if scan is None else scan.thinned,
         means=0 if scan is None else scan.means,
     )

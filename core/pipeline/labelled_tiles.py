@@ -12,13 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..common.arrays import FloatArray, IntArray
+from ..common.arrays import FloatArray
 from ..common.errors import InputError, OutputError
 from ..common.feedback import Feedback
 from ..common.output_files import check_targets, safe_name
 from ..data.las_copies import Dimension, write_with_dimension
 from ..data.survey import Survey
-from ..data.tiles import transform_of
+from ..data.tiles import TileInfo, transform_of
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..results.geopackage_reader import Row, read_layer_rows
@@ -75,17 +75,23 @@ def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: F
                 target.parent.mkdir(parents=True, exist_ok=True)
             except OSError as error:
                 raise OutputError(f"cannot be made ({error.strerror})", source=target.parent, remedy="Choose another folder.") from error
-            numbers = partial(_numbers_of, transform=transform_of(tile, survey.crs), placed=placed, units=units)
+            numbers = partial(_numbers_of, tile=tile, transform=transform_of(tile, survey.crs), placed=placed, units=units)
             labelled += write_with_dimension(tile.path, target, Dimension(DIMENSION, "number of the tetrapod"), numbers)
             done += 1
     return {"folder": str(folder), "tiles": done, "points": labelled}
 
 
 def _numbers_of(
-    xyz: FloatArray, source_ids: IntArray, transform: Transform | None, placed: Placing, units: Mapping[UnitType, list[Row]]
+    xyz: FloatArray,
+    source_ids: NDArray[np.uint16],
+    gps_time: FloatArray,
+    tile: TileInfo,
+    transform: Transform | None,
+    placed: Placing,
+    units: Mapping[UnitType, list[Row]],
 ) -> NDArray[np.uint32]:
     """(n,) number of the unit of each point, in the CRS of its tile."""
-    return _numbers(placed(xyz if transform is None else transform(xyz), source_ids), units)
+    return _numbers(placed(xyz if transform is None else transform(xyz), tile.strips_of(source_ids, gps_time)), units)
 
 
 def _numbers(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> NDArray[np.uint32]:

@@ -211,7 +211,7 @@ def _thinned(epoch: Epoch, tiles: Sequence[TileInfo]) -> list[Finding]:
 def _strips_of(epoch: Epoch, tiles: tuple[TileInfo, ...]) -> tuple[tuple[TileInfo, ...], list[Finding]]:
     """The tiles with what their point source IDs are taken for; with a table of stations they number these."""
     taken, said = (tiles, "") if epoch.stations is not None else by_strips(epoch.label, tiles)
-    return taken, [said_of_tiles(epoch, tiles, "warning", said)] if said else []
+    return taken, [said_of_tiles(epoch, tiles, "note" if taken[0].strip_starts else "warning", said)] if said else []
 
 
 def _density(epoch: Epoch, tiles: Sequence[TileInfo], height: float) -> list[Finding]:

@@ -21,7 +21,7 @@ OWN_FIELDS = (slice(96, 105), slice(105, 107), slice(227, 235), slice(235, 247))
 """Bytes of the header that may differ: where points begin, records, format and length of points, where extended records begin."""
 
 
-def numbers(xyz: np.ndarray, _sources: object = None) -> np.ndarray:
+def numbers(xyz: np.ndarray, *_records: object) -> np.ndarray:
     """A number by place."""
     return np.floor(10 * (xyz[:, 0] % 10)).astype(np.uint32)
 

@@ -165,7 +165,7 @@ def test_a_full_disk_is_that_of_the_copy(tmp_path: Path, monkeypatch: pytest.Mon
 def test_labels_go_into_a_copy_as_laz(tmp_path: Path) -> None:
     source = write_ply(tmp_path / "scan.ply", grid_points())
     target = tmp_path / "labelled.laz"
-    found = write_with_dimension(source, target, Dimension("unit_id", "number of the unit"), lambda xyz, _: np.arange(len(xyz)))
+    found = write_with_dimension(source, target, Dimension("unit_id", "number of the unit"), lambda xyz, *_: np.arange(len(xyz)))
     assert found == 399
     assert _same(_read(target, undeclared_crs="EPSG:32650"), grid_points())
 

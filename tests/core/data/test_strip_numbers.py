@@ -1,4 +1,4 @@
-"""Point source IDs that number scan lines are read as one strip; those of strips and stations stay."""
+"""Strips and stations: by point source ID, by GPS time where all points have one number, or one where numbers are those of scan lines."""
 
 from __future__ import annotations
 
@@ -7,14 +7,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.strip_numbers import LEAST_POINTS, MOST_STRIPS, by_strips
+from tetratrack.core.data.places_by_second import MOST_SECONDS, PlacesBySecond
+from tetratrack.core.data.strip_numbers import LEAST_POINTS, MOST_STRIPS, by_strips, passes
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.tiles import inspect_tile, read_points
 from tetratrack.core.pipeline.survey_check import check_survey
-from tetratrack.tests.helpers.las_files import grid_points, write_las
+from tetratrack.tests.helpers.las_files import ORIGIN, grid_points, write_las
 
 FRAMES = 3 * MOST_STRIPS
 """Scan lines of the test's tiles."""
+CRS = "EPSG:32650"
+START = 396_665_018.25
+"""GPS time (adjusted standard) of the first point, seconds."""
 
 
 @pytest.fixture
@@ -24,10 +28,21 @@ def lines(tmp_path):
     return write_las(tmp_path / "lines.laz", points, source=np.repeat(np.arange(1, FRAMES + 1), 4))
 
 
+def flown(gap, length=80.0, speed=2.0, rate=100):
+    """Two lines along a coast and back, with ``gap`` seconds around the end: (n, 3) points, (n,) times and (n,) true numbers."""
+    rng = np.random.default_rng(5)
+    clock = np.arange(0, length / speed, 1 / rate)
+    there = np.column_stack([speed * clock, rng.uniform(-4, 4, len(clock))])
+    back = np.column_stack([length - speed * clock, rng.uniform(-4, 4, len(clock))])
+    times = START + np.concatenate([clock, clock + clock[-1] + gap])
+    plan = np.vstack([there, back]) @ np.array([[0.8, 0.6], [-0.6, 0.8]])
+    return ORIGIN + np.column_stack([plan, rng.normal(0, 0.1, len(plan))]), times, np.repeat([1, 2], len(clock))
+
+
 def test_scan_lines_are_one_strip(lines):
     """Every point is read with the number 0, and the sentence counts the lines."""
-    tiles, said = by_strips("may", [inspect_tile(lines, "EPSG:32650")])
-    cloud = read_points(tiles, "EPSG:32650")
+    tiles, said = by_strips("may", [inspect_tile(lines, CRS)])
+    cloud = read_points(tiles, CRS)
     assert f"may: {FRAMES} point source IDs" in said
     assert len(cloud) == FRAMES * 4
     assert not cloud.source_id.any()
@@ -36,14 +51,60 @@ def test_scan_lines_are_one_strip(lines):
 
 def test_strips_and_stations_stay(lines):
     """Few numbers, and many that have as many points as a strip has."""
-    frames = inspect_tile(lines, "EPSG:32650")
+    frames = inspect_tile(lines, CRS)
     few = replace(frames, sources=tuple(range(MOST_STRIPS)))
     rich = replace(frames, points=FRAMES * LEAST_POINTS)
     for tile in (few, rich):
         tiles, said = by_strips("may", [tile])
         assert tiles == (tile,)
         assert not said
-    assert len(np.unique(read_points([frames], "EPSG:32650").source_id)) == FRAMES
+    assert len(np.unique(read_points([frames], CRS).source_id)) == FRAMES
+
+
+@pytest.mark.parametrize("gap", [0.5, 30.0])
+@pytest.mark.parametrize("number", [0, 3])
+def test_flight_lines_without_numbers_are_told_by_time(tmp_path, gap, number):
+    """Whether the flight was cut at the turn or not, over several tiles, whatever number all points have."""
+    points, times, line = flown(gap)
+    tiles = []
+    for k in (0, 1):
+        own = np.arange(len(points)) % 2 == k
+        numbers = np.full(own.sum(), number)
+        tiles.append(inspect_tile(write_las(tmp_path / f"{k}.laz", points[own], source=numbers, time=times[own]), CRS))
+    read, said = by_strips("may", tiles)
+    cloud = read_points(read, CRS)
+    assert "by GPS time there are 2 passes or stations" in said
+    order = np.argsort(cloud.gps_time)
+    wrong = cloud.source_id[order] != line
+    assert wrong.sum() <= 100 * 1.5  # a turn is told to the second
+    assert read[0].sources == (1, 2)
+
+
+def test_a_gap_within_a_line_is_no_new_line():
+    """Data of a few seconds are missing, as over water."""
+    points, times, _ = flown(30.0)
+    lost = (times > START + 12) & (times < START + 20)
+    assert len(passes(PlacesBySecond.of(times[~lost], points[~lost]))) == 2
+
+
+def test_stations_are_told_by_the_way_between_them():
+    """A scanner that turns on three stations, minutes apart, shows the same places from each."""
+    rng = np.random.default_rng(6)
+    times = np.concatenate([START + 400 * k + rng.uniform(0, 90, 5000) for k in range(3)])
+    places = np.column_stack([rng.uniform(0, 15, 15000), rng.uniform(0, 5, 15000)])
+    np.testing.assert_allclose(passes(PlacesBySecond.of(times, places)), np.floor(START) + 400 * np.arange(3), atol=1.0)
+
+
+def test_times_that_tell_nothing_leave_tiles_alone(tmp_path):
+    """One line, all points at one time or at none, and times over more days than a survey takes."""
+    points, times, _ = flown(30.0)
+    line = times < START + 35
+    spread = np.linspace(0, 2.0 * MOST_SECONDS, line.sum())
+    for k, own in enumerate((times[line], np.zeros(line.sum()), np.full(line.sum(), np.nan), spread)):
+        tile = inspect_tile(write_las(tmp_path / f"{k}.laz", points[line], time=own), CRS)
+        assert by_strips("may", [tile]) == ((tile,), "")
+    tile = inspect_tile(write_las(tmp_path / "none.laz", points, point_format=0), CRS)
+    assert by_strips("may", [tile]) == ((tile,), "")
 
 
 @pytest.mark.parametrize("stations", [False, True])
@@ -60,4 +121,4 @@ def test_the_check_of_a_survey_says_so(lines, stations):
     check = check_survey(read_survey(folder / "survey.toml"), Feedback())
     said = [finding.message for finding in check.findings if "scan lines or frames" in finding.message]
     assert len(said) == (0 if stations else 1)
-    assert check.tiles["may"][0].one_strip is not stations
+    assert check.tiles["may"][0].strip_starts == (None if stations else ())
