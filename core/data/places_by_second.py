@@ -22,7 +22,7 @@ class PlacesBySecond:
     seconds
         (k,) whole seconds, ascending.
     counts
-        (k,) points in each.
+        (k,) points in each, or those that were looked at.
     sums
         (k, 2) sums of their eastings and northings, metres.
     """

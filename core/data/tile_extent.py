@@ -21,6 +21,8 @@ from .thinned_clouds import Thinning
 
 NOISE_CLASSES = (7, 18)
 """ASPRS classes low and high noise (LAS 1.4 R15, table 17)."""
+TIMED_POINTS = 20_000
+"""Points of a chunk, evenly spread over it, that say where it was measured in each second."""
 STALE_METRES = 10.0
 """A header whose extent is so much larger than that of the points, in one direction, is worth a word."""
 
@@ -86,7 +88,8 @@ def looked_through(
                 parts = [merged([*parts, Occupancy.of(used, level)]).bounded()]
                 thinning.add(used, sources, np.nan_to_num(seconds))
                 if header.has_time:
-                    by_second = PlacesBySecond.merged([by_second, PlacesBySecond.of(seconds, used)])
+                    some = slice(None, None, 1 + len(used) // TIMED_POINTS)
+                    by_second = PlacesBySecond.merged([by_second, PlacesBySecond.of(seconds[some], used[some])])
     scan = Scan(extents[0], -extents[1], extents[2], -extents[3], parts[0], times, np.flatnonzero(occurs), by_second)
     return scan, thinning.means()
 
