@@ -11,7 +11,7 @@ import numpy as np
 
 from ..common.arrays import FloatArray
 from ..common.atomic_files import replace_durably, temporary_beside
-from ..common.errors import InputError
+from ..common.errors import InputError, OutputError
 from ..common.feedback import Feedback
 from ..common.output_files import check_own, check_targets
 from ..model.unit_types import UnitType
@@ -105,9 +105,9 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
     Raises
     ------
     InputError
-        A view cannot be read, or the views do not hang together.
+        A view cannot be read, the voxels have no size, or the views do not hang together or state a CRS where the first states none.
     OutputError
-        The file cannot be written, or is another one than an earlier output of this step.
+        The file cannot be written, is neither .laz nor .las, or is another one than an earlier output of this step.
     """
     import laspy
 
@@ -115,6 +115,10 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
     from ..data.tiles import inspect_tile, read_points
     from ..registration.views import register_views
 
+    if output.suffix.lower() not in (".laz", ".las"):
+        raise OutputError("cannot be written in that form", source=output, remedy="End the name in .laz or .las.")
+    if voxel is not None and not 0 < voxel < math.inf:
+        raise InputError(f"voxels of {voxel:g} m have no size", where="voxel", remedy="Give the length of their edges in metres, or none.")
     check_targets([(output, "the merged cloud")], views)
     check_own(output, ("LASF", MERGED))
     clouds = []
@@ -124,7 +128,11 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
         feedback.check()
         feedback.progress(0.3 * number / len(views), f"reading {path.name}")
         tile = inspect_tile(path, None)
-        crs, definition = crs or tile.crs, definition or tile.definition
+        if number == 0:
+            crs, definition = tile.crs, tile.definition
+        elif tile.crs and not crs:
+            problem = f"is in {tile.crs}, and the first view, {views[0].name}, states no CRS"
+            raise InputError(problem, source=path, remedy="Give a view that states it first, or write it into the header of all.")
         cloud = read_points([tile], crs or "LOCAL", origin=origin)
         origin = cloud.origin
         clouds.append(cloud.xyz)

@@ -34,7 +34,7 @@ def export_layers(
     folder
         Made if it is missing.
     formats
-        Of ``csv`` and ``parquet``.
+        Of ``FORMATS``, in capitals or not.
     layers
         Names; empty for all.
     separator
@@ -43,10 +43,14 @@ def export_layers(
     Raises
     ------
     InputError
-        The result has no such layer.
+        The result has no such layer, or there is no such format.
     OutputError
         A file cannot be written.
     """
+    kinds = list(dict.fromkeys(kind.lower() for kind in formats))
+    unknown = [kind for kind in kinds if kind not in FORMATS]
+    if unknown:
+        raise InputError(f"layers cannot be written as {', '.join(unknown)}", where="format", remedy=f"Choose of {', '.join(FORMATS)}.")
     between, decimal = signs(separator)
     present = table_names(result)
     missing = sorted(set(layers) - (present & LAYERS.keys()))
@@ -57,13 +61,11 @@ def export_layers(
     except OSError as error:
         raise OutputError(f"cannot be made ({error.strerror})", source=folder, remedy="Give a folder that can be written.") from error
     chosen = list(layers) or [name for name in LAYERS if name in present]
-    check_targets(
-        [(folder / f"{name}.{kind}", f"layer {name}") for name in dict.fromkeys(chosen) for kind in dict.fromkeys(formats)], [result]
-    )
+    check_targets([(folder / f"{name}.{kind}", f"layer {name}") for name in dict.fromkeys(chosen) for kind in kinds], [result])
     contents: dict[Path, bytes] = {}
     for name in chosen:
         frame = _read(result, name)
-        for kind in formats:
+        for kind in kinds:
             target = folder / f"{name}.{kind}"
             buffer = io.BytesIO()
             if kind == "csv":

@@ -48,6 +48,15 @@ def test_parquet_keeps_geometry_crs_and_times(result: Path, tmp_path: Path) -> N
     assert str(units["epoch_time"].dtype).startswith("datetime64")
 
 
+def test_formats_are_known_by_their_names(result: Path, tmp_path: Path) -> None:
+    """CSV in capitals gave a Parquet file under the name units.CSV, and xlsx one under that of a spreadsheet."""
+    with pytest.raises(InputError, match="cannot be written as xlsx"):
+        export_layers(result, tmp_path / "out", ["csv", "xlsx"], ["units"])
+    assert not (tmp_path / "out").exists()
+    assert [path.name for path in export_layers(result, tmp_path / "out", ["CSV"], ["units"])] == ["units.csv"]
+    assert (tmp_path / "out" / "units.csv").read_text(encoding="utf-8-sig").startswith("unit_id,")
+
+
 def test_unknown_layer_is_named(result: Path, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="has no layer roads"):
         export_layers(result, tmp_path / "out", layers=["roads"])
