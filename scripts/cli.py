@@ -92,8 +92,8 @@ def run(
         from ..core.pipeline.local_processes import processes_for
 
         found = given_survey(given_paths(survey), Given(height=unit_height, crs=crs), output, feedback)
-        with processes_for(workers, scheduler) as processes:
-            # they load their libraries while this process loads its own
+        with processes_for(workers, scheduler, forked=True) as processes:
+            # they load their libraries while this process loads its own, or are copies of it
             processes.start(len(found.epochs))
             from ..core.pipeline.run_options import RunOptions
             from ..core.pipeline.whole_survey import run_survey

@@ -41,9 +41,11 @@ def load_package() -> None:
 
 def stop_with_parent() -> None:
     """Read standard input until it ends or says ``cancel``; then interrupt the run, and end it if it does not heed."""
-    for line in sys.stdin:
-        if line.strip() == "cancel":
-            break
+    # not the buffer of sys.stdin, which would stay locked in copies of this process
+    with open(0, "rb", buffering=0, closefd=False) as parent:
+        for line in parent:
+            if line.strip() == b"cancel":
+                break
     signal.raise_signal(signal.SIGINT)
     threading.Event().wait(GRACE_SECONDS)
     # compiled code does not see the interrupt; the results are still in a temporary folder that the parent removes
@@ -54,9 +56,11 @@ def stop_with_parent() -> None:
 
 def attach() -> None:
     """Make this process the head of its own group and tie its life to the parent's."""
+    from tetratrack.core.common.lifeline import PARENT_WATCH
+
     if hasattr(os, "setsid"):
         os.setsid()
-    threading.Thread(target=stop_with_parent, daemon=True).start()
+    threading.Thread(target=stop_with_parent, name=PARENT_WATCH, daemon=True).start()
 
 
 def say(**event: str) -> None:

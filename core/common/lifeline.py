@@ -14,6 +14,8 @@ from multiprocessing.connection import wait
 from .garbage_collection import collect_seldom
 
 _PR_SET_PDEATHSIG = 1
+PARENT_WATCH = "parent watch"
+"""Name of a thread that waits for word from the parent, or its end, and locks nothing meanwhile: a copy of the process may lack it."""
 IMPORTED_EXIT = 78
 """Exit code of a worker that would have started the run again, because the script it was started by has no main guard."""
 

@@ -7,7 +7,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from importlib import import_module
@@ -17,21 +17,31 @@ from typing import Any, Self
 import numpy as np
 
 from ..common.errors import TetratrackError
-from ..common.lifeline import IMPORTED_EXIT, leave_if_imported, start_as_worker
+from ..common.lifeline import IMPORTED_EXIT, PARENT_WATCH, leave_if_imported, start_as_worker
 
 CORE = __package__.rpartition(".")[0]
 LIBRARIES = (f"{CORE}.pipeline.block_jobs", f"{CORE}.segmentation.segment", f"{CORE}.segmentation.ends_of_units", "laspy", "pyproj")
 """What the first jobs of a run import."""
+WHOLE_RUN = f"{CORE}.pipeline.whole_survey"
+"""What imports nearly all that this process and later jobs need."""
 
 
 class LocalProcesses:
     """So many processes, started when first needed or before by :meth:`start`; as a context manager it ends them.
 
     They serve all later calls, so that libraries are loaded once.
+
+    Parameters
+    ----------
+    count
+        How many.
+    forked
+        The first ones may be copies of this process, made by :meth:`start`: nothing but the run is its work.
     """
 
-    def __init__(self, count: int) -> None:
+    def __init__(self, count: int, *, forked: bool = False) -> None:
         self.count = count
+        self._forked = forked
         self._pool: ProcessPoolExecutor | None = None
         self._strangers: frozenset[Any] = frozenset()
         self._processes: frozenset[Any] = frozenset()
@@ -48,6 +58,8 @@ class LocalProcesses:
     def start(self, jobs: int) -> None:
         """Have as many of them as will have work load what that needs while the caller does other work; none where jobs run here.
 
+        Where they may be copies of this process, it loads that itself, once for all.
+
         Parameters
         ----------
         jobs
@@ -58,8 +70,15 @@ class LocalProcesses:
         TetratrackError
             The script that starts the run would be run again by each of them.
         """
-        if min(self.count, jobs) > 1 and self._pool is None:
-            self.submitted([(_load_libraries,)] * min(self.count, jobs))
+        if min(self.count, jobs) < 2 or self._pool is not None:
+            return
+        # where numba is loaded, something has been computed already, on threads perhaps
+        if self._forked and "numba" not in sys.modules and _may_be_copied():
+            import_module(WHOLE_RUN)
+            _load_libraries()
+            if _may_be_copied():
+                self._pool = self._opened("fork", _start_as_copy)
+        self.submitted([(_load_libraries,)] * min(self.count, jobs))
 
     def submitted(self, calls: Sequence[tuple[Any, ...]]) -> list[Future[None]]:
         """Have functions called there, each followed by its arguments; in any order.
@@ -69,21 +88,21 @@ class LocalProcesses:
         TetratrackError
             The script that starts the run would be run again by each of them.
         """
-        _check_main_guard()
+        if self._pool is None:
+            _check_main_guard()
+            # spawned, not forked: forked copies of a process with threads (numba, OpenMP) can hang
+            self._pool = self._opened("spawn", start_as_worker)
         # an executor starts its processes as calls come in: these inherit the environment of this moment
         with _interrupts_held(), _worker_environment(max(1, (os.cpu_count() or 1) // self.count)):
-            if self._pool is None:
-                self._strangers = frozenset(multiprocessing.active_children())
-                # spawned, not forked: forked copies of a process with threads (numba, OpenMP) can hang
-                self._pool = ProcessPoolExecutor(
-                    self.count,
-                    multiprocessing.get_context("spawn"),
-                    initializer=start_as_worker,
-                    initargs=(os.getpid(), threading.current_thread() is threading.main_thread()),
-                )
             futures = [self._pool.submit(*call) for call in calls]
             self._processes = frozenset(multiprocessing.active_children()) - self._strangers
             return futures
+
+    def _opened(self, method: str, first_act: Callable[[int, bool], None]) -> ProcessPoolExecutor:
+        """Executor whose processes come to be by a method of multiprocessing."""
+        self._strangers = frozenset(multiprocessing.active_children())
+        parent = os.getpid(), threading.current_thread() is threading.main_thread()
+        return ProcessPoolExecutor(self.count, multiprocessing.get_context(method), initializer=first_act, initargs=parent)
 
     @property
     def imported(self) -> bool:
@@ -108,10 +127,28 @@ def cores(workers: int) -> int:
     return workers or os.cpu_count() or 1
 
 
-def processes_for(workers: int, scheduler: str | None) -> LocalProcesses:
-    """The local processes that a run may use, not started yet: one where a scheduler works."""
+def processes_for(workers: int, scheduler: str | None, *, forked: bool = False) -> LocalProcesses:
+    """The local processes that a run may use, not started yet: one where a scheduler works; ``forked`` as for :class:`LocalProcesses`."""
     leave_if_imported()
-    return LocalProcesses(1 if scheduler is not None else cores(workers))
+    return LocalProcesses(1 if scheduler is not None else cores(workers), forked=forked)
+
+
+def _may_be_copied() -> bool:
+    """Whether copies of this process can work: they lack its other threads, and what these have locked stays locked."""
+    watches = sum(thread.name == PARENT_WATCH for thread in threading.enumerate())
+    return sys.platform.startswith("linux") and len(os.listdir("/proc/self/task")) == 1 + watches
+
+
+def _start_as_copy(parent: int, from_main_thread: bool) -> None:
+    """First act of a worker process that is a copy of its parent: leave the parent's ways behind."""
+    import numba
+
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    start_as_worker(parent, from_main_thread)
+    # numba, which states no types, read its number of threads when the parent loaded it
+    config: Any = numba.config
+    config.reload_config()
+    numba.set_num_threads(config.NUMBA_NUM_THREADS)
 
 
 def _load_libraries() -> None:

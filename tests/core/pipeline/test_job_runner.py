@@ -20,6 +20,7 @@ from tetratrack.core.adjustment.gauss_helmert import adjust
 from tetratrack.core.common.errors import Cancelled, InputError, NoSolutionError, OutputError, TetratrackError
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.common.garbage_collection import THRESHOLDS
+from tetratrack.core.common.lifeline import PARENT_WATCH
 from tetratrack.core.data.tiles import TileInfo, Window
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import sample_surface
@@ -32,6 +33,7 @@ from tetratrack.core.pipeline.gap_table import look_into_tiles
 from tetratrack.core.pipeline.job_runner import JobRunner, job_key
 from tetratrack.core.pipeline.local_processes import LocalProcesses, processes_for
 from tetratrack.core.pipeline.run_options import RunOptions, job_runner
+from tetratrack.scripts.console import LINEAR_ALGEBRA
 
 
 def _tile(name: str, low: tuple[float, float], high: tuple[float, float], points: int = 1000) -> TileInfo:
@@ -190,6 +192,45 @@ def test_processes_can_start_before_libraries_are_loaded() -> None:
         "print(*(name for name in ('numba', 'scipy', 'laspy') if name in sys.modules))"
     )
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", check=True).stdout.strip() == ""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="processes are copied on Linux alone")
+@pytest.mark.parametrize(
+    ("before", "copied"),
+    [
+        ("", True),
+        ("import numba", False),
+        ("threading.Thread(target=threading.Event().wait, daemon=True).start()", False),
+        (f"threading.Thread(target=threading.Event().wait, name='{PARENT_WATCH}', daemon=True).start()", True),
+    ],
+)
+def test_processes_are_copies_of_one_that_has_done_nothing_yet(before: str, copied: bool) -> None:
+    """Copies know what their parent knew and nothing of how it takes signals, have threads of their own number, and are replaced."""
+    code = f"""
+import os, signal, sys, threading, types
+from tetratrack.core.pipeline.local_processes import LocalProcesses
+{before}
+sys.modules["known_here"] = types.ModuleType("known_here")
+if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, lambda *_: None)
+    with LocalProcesses(2, forked=True) as processes:
+        processes.start(2)
+        questions = ["'known_here' in __import__('sys').modules", "'numba' in __import__('sys').modules",
+            "__import__('signal').getsignal(15) == __import__('signal').SIG_DFL", "__import__('numba').get_num_threads()"]
+        print(*(answer.result() for answer in processes.submitted([(eval, question) for question in questions])))
+        processes.kill()
+        print(processes.submitted([(eval, questions[0])])[0].result(), os.cpu_count())
+"""
+    said = subprocess.run(
+        [sys.executable, "-c", code],
+        env=os.environ | dict.fromkeys(LINEAR_ALGEBRA, "1"),
+        capture_output=True,
+        encoding="utf-8",
+        check=True,
+    ).stdout.split()
+    assert said[:3] == [str(copied), "True", "True"]
+    assert said[3] == str(max(1, int(said[5]) // 2))
+    assert said[4] == "False"
 
 
 @pytest.mark.parametrize(("workers", "scheduler", "count"), [(3, None, 3), (0, None, os.cpu_count()), (3, "tcp://host:8786", 1)])
