@@ -2,8 +2,9 @@
 
 Variances are estimated by restricted maximum likelihood (Patterson and Thompson, 1971, Biometrika 58, 545-554) from the means of the cells,
 the poses projected out, with the minorisation-maximisation steps of Zhou et al. (2019, J. Comput. Graph. Stat. 28, 350-361), which stay
-positive. A scaled inverse chi-square prior with few degrees of freedom holds them where a survey is too small to tell. Mould and mean
-size follow by generalised least squares under these variances; of too few units no mould is learned.
+positive. A scaled inverse chi-square prior with few degrees of freedom holds them where a survey is too small to tell: castings that are
+truer than is customary in what it tells are taken to be so in all (a scale of the prior, found from the variances: empirical Bayes). Mould
+and mean size follow by generalised least squares under these variances; of too few units no mould is learned.
 """
 
 from __future__ import annotations
@@ -32,13 +33,16 @@ from .shape_effects import (
 
 PRIOR_DEGREES = 4.0
 """Degrees of freedom of the prior of each variance: it weighs as much as so many effects that were seen."""
+CUSTOMARY_WEIGHT = 0.05
+"""What the customary size of castings' deviations weighs beside one smooth component that is well told, where a survey shows how true its
+own castings are: enough to begin with (chosen on four surveys of ideal cones, which a quarter leaves twice as wide as they err)."""
 STORED_DEGREES = 20.0
 """The same where an earlier survey has told them: of the same moulds, but worn and grown over by now."""
 LEAST_CELLS = 16
 """Cells beyond the unknowns of its poses from which a unit takes part."""
 MOST_CELLS = 120
 """Cells of a unit that are used, spread evenly."""
-MAX_STEPS = 20
+MAX_STEPS = 12
 MOULD_STEPS = 5
 """Steps of the variances between two estimates of the mould."""
 LEAST_CHANGE = 0.02
@@ -164,7 +168,8 @@ def estimate_surface(
         for a, t in side_by_side(partial(_scores, values=values, covariance=_of_components(values), mould=mould), observed):
             forms += a
             traces += t
-        new = values * np.sqrt((forms + degrees * base / values**2) / (traces + degrees / values))
+        held = base if stored is not None else _as_true(base, values, traces)
+        new = values * np.sqrt((forms + degrees * held / values**2) / (traces + degrees / values))
         settled = np.max(np.abs(np.log(new / values))) < LEAST_CHANGE
         values = new
         if settled:
@@ -172,6 +177,22 @@ def estimate_surface(
     own, straight, ends, size = (float(v) for v in values[-4:])
     values[SHORT_RANGE] *= PATCH_TAILS**2
     return SurfaceModel(mould[mould_cells()], values[:-4], own, (straight, ends), float(mould[-1]), math.sqrt(size), len(observed))
+
+
+def _as_true(customary: FloatArray, values: FloatArray, traces: FloatArray) -> FloatArray:
+    """Variances that the prior holds the present ``values`` to: of components, ``customary`` ones times how true these castings are.
+
+    Each smooth component says by how much it is off, as far as the survey tells it: by the degrees of freedom that are left of its
+    (len(values),) ``traces``, beside those of the prior. Without that the customary variances hold up those of ideal cones, of which
+    every single one is told by a few degrees of freedom only where it is far below the noise.
+    """
+    smooth = slice(0, SHORT_RANGE[0])
+    told = traces[smooth] * values[smooth]
+    weights = told / (told + PRIOR_DEGREES)
+    share = (weights @ (values[smooth] / customary[smooth]) + CUSTOMARY_WEIGHT) / (weights.sum() + CUSTOMARY_WEIGHT)
+    held = customary.copy()
+    held[:OWN] *= share
+    return held
 
 
 def _cells_of(stored: SurfaceModel) -> FloatArray:

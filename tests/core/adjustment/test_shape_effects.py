@@ -146,6 +146,20 @@ def test_variances_and_mould_are_found_again() -> None:
     assert rings[:3] - rings[4:8].mean() == pytest.approx(0.008, abs=0.002)
 
 
+@pytest.mark.parametrize("count", [3, 10])
+def test_true_cones_are_not_held_to_what_is_customary_of_castings(count: int) -> None:
+    """Each smooth component of ten times truer units is told by a few degrees of freedom only: all together say how true they are."""
+    smooth = slice(0, COMPONENTS.index("patch"))
+    prior = prior_surface(HEIGHT)
+    for share, low, high in ((0.1, 0.07, 0.4), (1.0, 0.6, 1.5)):
+        true = prior.variances.copy()
+        true[smooth] *= share**2
+        found = estimate_surface(castings(7, count, true, np.zeros(CELLS)), HEIGHT, prior)
+        ratios = np.sqrt(found.variances / prior.variances)[smooth]
+        assert (ratios > low).all()
+        assert (ratios < high).all()
+
+
 def test_few_units_make_no_mould() -> None:
     few = castings(4, LEAST_MOULD_UNITS - 1, prior_surface(HEIGHT).variances, np.full(CELLS, 0.01))
     assert not estimate_surface(few, HEIGHT, prior_surface(HEIGHT)).mean.any()
