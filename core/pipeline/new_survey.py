@@ -129,6 +129,7 @@ def _draft(
     crs, crs_reason, crs_questions, tiles_crs = _crs(found, given.crs)
     crs_questions += _scale_question(found, crs)
     crs_questions += [question for epoch in epochs for question in epoch.questions]
+    crs_questions += [question for own in tables for question in _targets_question(own)]
     warnings = [f"{epoch.label}: {note}" for epoch in epochs for note in epoch.notes]
     warnings += [*_epoch_warnings(epochs), *notes]
     drafts = tuple(_epoch(epoch, mine, tiles_crs) for epoch, mine in zip(epochs, tables, strict=True))
@@ -190,6 +191,19 @@ def _scale_question(tiles: Sequence[FoundTile], crs: str) -> list[str]:
     except CrsError as error:
         return [f"{error.problem}: {error.remedy}"]
     return []
+
+
+def _targets_question(tables: Mapping[Role, FoundTable]) -> list[str]:
+    """What to ask of targets that a run refuses: no key of survey.toml turns them, as ``control_unit`` and ``control_axes`` do control."""
+    targets = tables.get("targets")
+    if targets is None or (targets.unit == "m" and not targets.swapped):
+        return []
+    return [f"{targets.path.name} holds targets otherwise than the tiles ({_changes(targets)}): write them as x,y,z in metres"]
+
+
+def _changes(table: FoundTable) -> str:
+    """How a table's numbers differ from metres with easting first."""
+    return table.reason.partition("; ")[2]
 
 
 def _epoch_warnings(epochs: Sequence[FoundEpoch]) -> list[str]:
@@ -269,8 +283,7 @@ def _epoch(found: FoundEpoch, mine: Mapping[Role, FoundTable], tiles_crs: str | 
     if check is not None and not check.swapped and check.unit == "m":
         values["check"], reasons["check"] = check.path, check.reason
     elif check is not None:
-        told = check.reason.partition("; ")[2]
-        comments.append(f"{check.path.name} looks like check points ({told}): write it in metres, easting first, to use it")
+        comments.append(f"{check.path.name} looks like check points ({_changes(check)}): write it in metres, easting first, to use it")
     for role in ("trajectory", "stations"):
         if role in mine:
             comments.append(f"{mine[role].path.name} looks like {role}: add {role}, range_sd and angle_sd (from the data sheet) to use it")

@@ -61,6 +61,20 @@ def test_check_points_that_a_run_cannot_read_are_named(tmp_path: Path) -> None:
     assert 'check_2024-04-09.csv"' not in text
 
 
+@pytest.mark.parametrize(("turned", "said"), [(True, "northing before easting"), (False, "feet")])
+def test_targets_that_a_run_refuses_are_asked_about(tmp_path: Path, turned: bool, said: str) -> None:
+    shutil.copytree(TINY, tmp_path / "site")
+    (tmp_path / "site" / "survey.toml").unlink()
+    table = tmp_path / "site" / "targets_2024-04-09.csv"
+    head, *rows = (line.split(",") for line in table.read_text(encoding="utf-8").splitlines())
+    others = [[r[0], r[2], r[1], *r[3:]] if turned else [r[0], *(f"{float(v) / 0.3048:.4f}" for v in r[1:4]), *r[4:]] for r in rows]
+    table.write_text("\n".join(map(",".join, [head, *others])), encoding="utf-8")
+    _, errors = _init(tmp_path / "site", "--height", 2.3)
+    assert f"targets_2024-04-09.csv holds targets otherwise than the tiles ({said}): write them as x,y,z in metres" in " ".join(
+        errors.split()
+    )
+
+
 def test_paths_are_relative_to_a_file_beside_the_data(tmp_path: Path) -> None:
     shutil.copytree(TINY / "tiles", tmp_path / "site" / "tiles")
     _init(tmp_path / "site", "--height", 2.3, "--output", tmp_path / "site" / "survey.toml")
