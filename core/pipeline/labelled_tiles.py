@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import astuple
 from functools import partial
 from pathlib import Path
@@ -16,6 +16,7 @@ from ..common.arrays import FloatArray
 from ..common.errors import InputError, OutputError
 from ..common.feedback import Feedback
 from ..common.output_files import check_targets, safe_name
+from ..common.robust import MAD_TO_SD
 from ..data.las_copies import Dimension, write_with_dimension
 from ..data.survey import Survey
 from ..data.tiles import TileInfo, transform_of
@@ -26,6 +27,7 @@ from ..results.run_record import epochs_of
 from ..results.unit_rows import unit_sizes
 from ..results.unit_sizes import unit_of
 from ..segmentation.aggregation import assign
+from ..segmentation.segment import LABEL_NOISE
 from .epoch_plans import plan_survey
 from .placed_points import Placing, placing
 
@@ -33,7 +35,7 @@ Transform = Callable[[FloatArray], FloatArray]
 
 DIMENSION = "unit_id"
 NEAR_SURFACE_HEIGHTS = 0.02
-"""A point is the unit's whose surface is nearest, if nearer than this share of the height."""
+"""A point is the unit's whose surface is nearest, if nearer than this share of the height, or than noise puts points beside it."""
 
 
 def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: Feedback) -> dict[str, Any]:
@@ -91,11 +93,11 @@ def _numbers_of(
     units: Mapping[UnitType, list[Row]],
 ) -> NDArray[np.uint32]:
     """(n,) number of the unit of each point, in the CRS of its tile."""
-    return _numbers(placed(xyz if transform is None else transform(xyz), tile.strips_of(source_ids, gps_time)), units)
+    return points_of_units(placed(xyz if transform is None else transform(xyz), tile.strips_of(source_ids, gps_time)), units)
 
 
-def _numbers(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> NDArray[np.uint32]:
-    """(n,) number of the unit of each point of the control frame, 0 for none."""
+def points_of_units(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> NDArray[np.uint32]:
+    """(n,) number of the unit of each of (n, 3) points of the control frame, metres, 0 for none; rows of units by their type."""
     numbers = np.zeros(len(points), dtype=np.uint32)
     if not len(points):
         return numbers
@@ -104,12 +106,19 @@ def _numbers(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> NDArray
     for unit, members in sorted(units.items(), key=lambda item: astuple(item[0])):
         poses = [Pose.from_quaternion(row["geom"] - origin, [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in members]
         table = np.array([pose.as_row() for pose in poses])
-        labels, distance = assign(points - origin, table, unit, NEAR_SURFACE_HEIGHTS * unit.height)
+        labels, distance = assign(points - origin, table, unit, _window(members, unit))
         nearer = (labels >= 0) & (np.abs(distance) < nearest)
         nearest[nearer] = np.abs(distance[nearer])
         ids = np.array([_number_of(row["unit_id"]) for row in members], dtype=np.uint32)
         numbers[nearer] = ids[labels[nearer]]
     return numbers
+
+
+def _window(members: Sequence[Row], unit: UnitType) -> float:
+    """Distance from a surface, metres, up to which points of a cloud as noisy as that of these units are taken for theirs, as in a run."""
+    medians = [row["distance_median"] for row in members if row["distance_median"] is not None]
+    noise = MAD_TO_SD * float(np.median(medians)) if medians else 0.0
+    return max(NEAR_SURFACE_HEIGHTS * unit.height, LABEL_NOISE * noise)
 
 
 def _number_of(unit_id: str) -> int:
