@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -18,12 +19,16 @@ from ..model.outline import PlacedShape
 from ..results.class_colours import CLASS_COLOURS, class_colour
 from ..results.geopackage_reader import EpochPair, Row
 from ..results.unit_rows import UnitRow
+from .displacement_arrows import displacement_arrows, usual_height
 
 Shapes = Mapping[str, PlacedShape]
 
 TEMPLATES = Path(__file__).parent / "templates"
 OUTLINE_DIRECTIONS = 24
 """Corners of a leg's outline: on a screen, a chord of 24 cannot be told from the curve."""
+
+OUTLINE_STEPS = 100
+"""Steps to a metre in which outlines of units of a metre and more are written; for a model of a tenth of a metre, ten times as many."""
 
 
 def explorer_data(
@@ -54,6 +59,8 @@ def explorer_data(
     solids: dict[tuple[float, ...], int] = {}
     bodies: list[dict[str, Any]] = []
     units = []
+    height = usual_height(rows)
+    steps = OUTLINE_STEPS * 10 ** max(0, math.ceil(-math.log10(height)))
     for row, place in shown:
         ends = [found.get(row.unit_id) for found in shapes]
         record = _numbers(row) | {"place": _rounded(place - origin, 3), "decision": decisions.get(row.unit_id, "")}
@@ -61,8 +68,8 @@ def explorer_data(
         if seen:
             record["solid"] = _solid(seen[-1], solids, bodies)
             outline = plan_outline(seen[-1], OUTLINE_DIRECTIONS) - origin[:2]
-            # centimetres as whole numbers keep the page small
-            record["outline"] = np.round(100 * outline).astype(int).reshape(-1).tolist()
+            # whole numbers keep the page small
+            record["outline"] = np.round(steps * outline).astype(int).reshape(-1).tolist()
         for name, shape in zip(("early", "late"), ends, strict=True):
             if shape is not None:
                 record[name] = _rounded(shape.centre - origin, 4) + _rounded(shape.rotation.reshape(-1), 5)
@@ -72,8 +79,13 @@ def explorer_data(
         for row in control
         if row["geom"] is not None and row["epoch"] == pair.epoch_to
     ]
+    arrows = displacement_arrows([row for row, _ in shown])
+    drawn = np.column_stack([arrows.starts - origin[:2], arrows.shown, arrows.cut])
     return {
         "origin": [float(v) for v in origin],
+        "height": round(height, 3),
+        "outline_steps": steps,
+        "arrows": {"times": arrows.times, "drawn": [_rounded(line, 3) for line in drawn]},
         "epochs": [pair.epoch_from, pair.epoch_to],
         "classes": [{"key": kind, "name": translate(kind), "colour": class_colour(kind)} for kind in CLASS_COLOURS],
         "solids": bodies,

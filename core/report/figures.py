@@ -20,6 +20,7 @@ from ..model.outline import PlacedShape, end_discs, section, silhouette
 from ..results.class_colours import CLASS_COLOURS, UNKNOWN_COLOUR
 from ..results.geopackage_reader import Row
 from ..results.unit_rows import Z_95, SeriesPoint, UnitRow
+from .displacement_arrows import Arrows, displacement_arrows, nearest_round
 from .fonts import drawable, families_for
 
 Translate = Callable[[str], str]
@@ -47,8 +48,9 @@ def drawn_as_uri(figure: Figure) -> str:
         text.set_fontfamily(families)
         # names may hold dollar signs, which are no formulas
         text.set_parse_math(False)
-    # one pass lays out with the ticks of before it, and cuts the name of an axis whose numbers change
-    figure.draw_without_rendering()
+    # a pass lays out with the ticks of before it, and cuts the name of an axis whose numbers change; a second one may change them again
+    for _pass in range(2):
+        figure.draw_without_rendering()
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", metadata={"Software": None})
     return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode('ascii')}"
@@ -92,34 +94,29 @@ def displacement_map(rows: Sequence[UnitRow], shapes: dict[str, PlacedShape], re
     top = max(float(np.quantile(lengths, 0.98)), 1.0) if len(lengths) else 1.0
     patches = PolyCollection(_outlines(kept, shapes), array=lengths, cmap="YlOrRd", clim=(0, top), edgecolors="#5D6D7E", linewidths=0.3)
     axes.add_collection(patches)
-    moved = [row for row in kept if row.significant]
-    if moved:
-        places = np.array([row.place for row in moved])
-        vectors = np.array([row.vector for row in moved])
-        typical = float(np.median(np.linalg.norm(vectors[:, :2], axis=1))) or 1.0
-        scale = _nice(1.2 * (moved[0].height or 2.0) / typical)
-        short = np.linalg.norm(vectors[:, :2], axis=1) * scale > 4 * (moved[0].height or 2.0)
-        # an arrow that would cross the whole map is drawn in true size
-        drawn = vectors[:, :2] * np.where(short, 1.0, scale)[:, None]
-        axes.quiver(
-            places[:, 0],
-            places[:, 1],
-            drawn[:, 0],
-            drawn[:, 1],
-            angles="xy",
-            scale_units="xy",
-            scale=1,
-            width=0.003,
-            color="#17202A",
-        )
-        # arrows count for the extent of the map, or the longest would be cut
-        axes.update_datalim(places[:, :2] + drawn)
-        axes.set_title(_("arrows: significant horizontal displacements, enlarged {scale} times").format(scale=f"{scale:g}"), fontsize=8)
+    arrows = displacement_arrows(kept)
+    if len(arrows.starts):
+        _draw_arrows(axes, arrows)
+        title = _("arrows: significant horizontal displacements, enlarged {scale} times").format(scale=f"{arrows.times:g}")
+        axes.set_title("; ".join([title, *([_("dashed: cut short")] if arrows.cut.any() else [])]), fontsize=8)
     map_frame(axes, _)
     bar = figure.colorbar(patches, ax=axes, shrink=0.8, extend="max")
     bar.set_label(_("3D displacement (cm)"), fontsize=8)
     bar.ax.tick_params(labelsize=7)
     return drawn_as_uri(figure)
+
+
+def _draw_arrows(axes: Any, arrows: Arrows) -> None:
+    ink = "#17202A"
+    for cut, look in (
+        (False, {"color": ink}),
+        (True, {"facecolor": "none", "edgecolor": ink, "linewidth": 0.6, "linestyle": (0, (3, 1.5))}),
+    ):
+        kept = arrows.cut == cut
+        places, vectors = arrows.starts[kept], arrows.shown[kept]
+        axes.quiver(*places.T, *vectors.T, angles="xy", scale_units="xy", scale=1, width=0.003, **look)
+    # arrows count for the extent of the map, or the longest would be cut
+    axes.update_datalim(arrows.starts + arrows.shown)
 
 
 def histogram(rows: Sequence[UnitRow], rejected: frozenset[str], limits: Sequence[tuple[str, float]], _: Translate) -> str:
@@ -191,7 +188,7 @@ def unit_views(
             for curve in curves:
                 axes.plot(*(curve + place).T, style, color=colour, linewidth=1.0 if curve is curves[0] else 0.5)
         axes.set(xlim=(-half, half), ylim=(-half, half), aspect="equal")
-        axes.set_title(title, fontsize=7)
+        axes.set_title(f"{title} (m)", fontsize=7)
         axes.tick_params(labelsize=6)
     handles = [
         Line2D([], [], color=EARLIER, linestyle="--", label=labels[0]),
@@ -336,15 +333,9 @@ def _north_and_scale(axes: Any) -> None:
     )
     low, high = axes.get_xlim()
     bottom, top = axes.get_ylim()
-    length = _nice(0.2 * (high - low))
+    length = nearest_round(0.2 * (high - low))
     right, level = high - 0.03 * (high - low), bottom + 0.05 * (top - bottom)
     axes.plot([right - length, right], [level, level], color="#17202A", linewidth=2, solid_capstyle="butt", scalex=False, scaley=False)
     axes.annotate(
         f"{length:g} m", (right - length / 2, level), (0, 3), textcoords="offset points", ha="center", fontsize=7, color="#17202A"
     )
-
-
-def _nice(value: float) -> float:
-    """The nearest of 1, 2, 5 times a power of ten, at least 1."""
-    steps = [a * 10.0**b for b in range(5) for a in (1, 2, 5)]
-    return min(steps, key=lambda step: abs(np.log(step / max(value, 1e-6))))

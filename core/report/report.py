@@ -272,9 +272,10 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
     structure = structure_pages(
         result, pair, (early, late), kept, sizes, replace(options.structure, axis=options.axis), translate, clouds=points.clouds
     )
+    frame = crs_of(result)
     return ReportData(
         name=str(settings.get("survey") or result.stem),
-        crs=crs_of(result).name,
+        crs=frame.name if frame.definition != "undefined" else "",
         pair=pair,
         datum=datum,
         epochs=epochs,

@@ -6,6 +6,8 @@
   const colour = new Map(data.classes.map((c) => [c.key, c.colour]));
   const className = new Map(data.classes.map((c) => [c.key, c.name]));
   const units = data.units;
+  // lengths of the pictures are shares of a unit's height: a model of a tank is a tenth of a metre high
+  const H = data.height;
   const byId = new Map(units.map((u, k) => [u.id, k]));
   const element = (tag, attributes, parent) => {
     const made = document.createElementNS(SVG, tag);
@@ -17,9 +19,10 @@
     const power = 10 ** Math.floor(Math.log10(value));
     return [1, 2, 5, 10].map((s) => s * power).filter((s) => s <= value * 1.0001).pop() || power;
   };
+  const decimals = (step) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const probability = (p) => (p === null ? "–" : p < 0.001 ? "< 0.001" : String(p));
   const number = (value, digits, signed) =>
-    value === null ? "–" : (signed && value > 0 ? "+" : "") + value.toFixed(digits);
+    value === null ? "–" : ((signed && value > 0 ? "+" : "") + value.toFixed(digits)).replace(/^[+-](0\.?0*)$/, "$1");
 
   // one choice, which map, table and scene follow
   const followers = [];
@@ -29,6 +32,28 @@
     followers.forEach((follow) => follow(k, from));
   };
 
+  // two fingers zoom where there is no wheel; what is given back tells whether they are down
+  const pinch = (target, zoomBy) => {
+    const fingers = new Map();
+    let apart = 0;
+    const lift = (event) => fingers.delete(event.pointerId);
+    target.addEventListener("pointerdown", (event) => {
+      fingers.set(event.pointerId, event);
+      apart = 0;
+    });
+    window.addEventListener("pointerup", lift);
+    window.addEventListener("pointercancel", lift);
+    window.addEventListener("pointermove", (event) => {
+      if (!fingers.has(event.pointerId)) return;
+      fingers.set(event.pointerId, event);
+      if (fingers.size !== 2) return;
+      const [one, other] = fingers.values(), now = Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
+      if (apart && now) zoomBy(now / apart, { clientX: (one.clientX + other.clientX) / 2, clientY: (one.clientY + other.clientY) / 2 });
+      apart = now;
+    });
+    return () => fingers.size > 1;
+  };
+
   /* map */
   const map = document.getElementById("map");
   const drawing = map.querySelector(".map-units"), frame = map.querySelector(".map-frame"), tip = map.querySelector(".tip");
@@ -36,7 +61,7 @@
   const polygons = units.map((u, k) => {
     const shape = u.outline
       ? element("polygon", { points: pairs(u.outline) }, layer)
-      : element("circle", { cx: u.place[0], cy: -u.place[1], r: 0.5 }, layer);
+      : element("circle", { cx: u.place[0], cy: -u.place[1], r: 0.25 * H }, layer);
     shape.setAttribute("class", "unit");
     shape.setAttribute("fill", colour.get(u.kind) || "#d5d8dc");
     shape.dataset.unit = String(k);
@@ -44,36 +69,28 @@
   });
   function pairs(flat) {
     const parts = [];
-    for (let k = 0; k < flat.length; k += 2) parts.push((flat[k] / 100).toFixed(2) + "," + (-flat[k + 1] / 100).toFixed(2));
+    for (let k = 0; k < flat.length; k += 2) parts.push(flat[k] / data.outline_steps + "," + -flat[k + 1] / data.outline_steps);
     return parts.join(" ");
   }
   const arrows = element("g", { "pointer-events": "none" }, drawing);
-  const moved = units.filter((u) => u.significant && u.e !== null);
-  const lengths = moved.map((u) => Math.hypot(u.e, u.n) / 100).sort((a, b) => a - b);
-  const typical = lengths.length ? lengths[Math.floor(lengths.length / 2)] || 0.01 : 1;
-  const times = Math.max(1, nice(3 / typical));
-  moved.forEach((u) => {
-    const long = (Math.hypot(u.e, u.n) / 100) * times > 12;
-    const scale = (long ? 1 : times) / 100;
-    const x = u.place[0], y = -u.place[1], dx = u.e * scale, dy = -u.n * scale, size = Math.hypot(dx, dy) || 1;
-    const hx = (dx / size) * Math.min(0.6, size / 2), hy = (dy / size) * Math.min(0.6, size / 2);
-    const tipX = x + dx, tipY = y + dy;
-    element("path", {
-      d: `M${x} ${y}L${tipX} ${tipY}M${tipX - hx - hy / 2} ${tipY - hy + hx / 2}L${tipX} ${tipY}L${tipX - hx + hy / 2} ${tipY - hy - hx / 2}`,
-      fill: "none", stroke: "#17202a", "stroke-width": 1.4, "vector-effect": "non-scaling-stroke",
-    }, arrows);
+  data.arrows.drawn.forEach(([x, north, dx, dn, cut]) => {
+    const y = -north, dy = -dn, size = Math.hypot(dx, dy) || 1, head = Math.min(0.26 * H, size / 2) / size;
+    const hx = dx * head, hy = dy * head, tipX = x + dx, tipY = y + dy;
+    const look = { fill: "none", stroke: "#17202a", "stroke-width": 1.4, "vector-effect": "non-scaling-stroke" };
+    element("path", { d: `M${x} ${y}L${tipX} ${tipY}`, ...look, ...(cut ? { "stroke-dasharray": "5 3" } : {}) }, arrows);
+    element("path", { d: `M${tipX - hx - hy / 2} ${tipY - hy + hx / 2}L${tipX} ${tipY}L${tipX - hx + hy / 2} ${tipY - hy - hx / 2}`, ...look }, arrows);
   });
-  document.getElementById("arrow-scale").textContent = moved.length ? `(${words.scale.replace("{times}", times)})` : "";
-  data.control.forEach((c) => {
-    const mark = element("path", {
-      d: `M${c.place[0]} ${-c.place[1] - 0.9}l0.8 1.5h-1.6z`, fill: c.used ? "#1b4f72" : "#fff", stroke: "#1b4f72", "vector-effect": "non-scaling-stroke",
-    }, drawing);
+  const told_scale = [words.scale.replace("{times}", data.arrows.times)].concat(data.arrows.drawn.some((arrow) => arrow[4]) ? [words.cut] : []);
+  document.getElementById("arrow-scale").textContent = data.arrows.drawn.length ? `(${told_scale.join("; ")})` : "";
+  const marks = data.control.map((c) => {
+    const mark = element("path", { d: "M0-7l6 11h-12z", fill: c.used ? "#1b4f72" : "#fff", stroke: "#1b4f72" }, drawing);
     element("title", {}, mark).textContent = `${words.control} ${c.id}`;
+    return mark;
   });
   const names = element("g", { "pointer-events": "none" }, drawing);
   const xs = units.map((u) => u.place[0]).concat(data.control.map((c) => c.place[0]));
   const ys = units.map((u) => -u.place[1]).concat(data.control.map((c) => -c.place[1]));
-  const low = [Math.min(...xs) - 3, Math.min(...ys) - 3], high = [Math.max(...xs) + 3, Math.max(...ys) + 3];
+  const low = [Math.min(...xs) - 1.3 * H, Math.min(...ys) - 1.3 * H], high = [Math.max(...xs) + 1.3 * H, Math.max(...ys) + 1.3 * H];
   let view = { x: 0, y: 0, metre: 10 };  // centre of the map, and pixels a metre
   const size = () => [Math.max(map.clientWidth, 50), Math.max(map.clientHeight, 50)];
   const fit = () => {
@@ -88,7 +105,7 @@
     frame.setAttribute("viewBox", `0 0 ${w} ${h}`);
     frame.textContent = "";
     const step = nice(110 / view.metre);
-    const digits = step < 1 ? 1 : 0;
+    const digits = decimals(step);
     const east = data.origin[0] + left, north = data.origin[1] - top;
     for (let e = Math.ceil(east / step) * step; e < east + w / view.metre; e += step) {
       const x = (e - east) * view.metre;
@@ -104,13 +121,15 @@
     const bar = nice(120 / view.metre);
     const end = w - 14, begin = end - bar * view.metre;
     element("path", { d: `M${begin} ${h - 34}v8H${end}v-8`, fill: "none", stroke: "#17202a", "stroke-width": 2 }, frame);
-    element("text", { x: (begin + end) / 2, y: h - 38, "text-anchor": "middle" }, frame).textContent = `${bar} m`;
+    element("text", { x: (begin + end) / 2, y: h - 38, "text-anchor": "middle" }, frame).textContent = `${bar.toFixed(decimals(bar))} m`;
     element("path", { d: `M${w - 22} 10l7 24-7-6-7 6z`, fill: "#17202a" }, frame);
     element("text", { x: w - 22, y: 48, "text-anchor": "middle" }, frame).textContent = "N";
+    // marks keep their size on the screen
+    marks.forEach((mark, k) => mark.setAttribute("transform", `translate(${data.control[k].place[0]} ${-data.control[k].place[1]}) scale(${1 / view.metre})`));
     names.textContent = "";
     const seen = units.filter((u) => Math.abs(u.place[0] - view.x) < w / 2 / view.metre && Math.abs(-u.place[1] - view.y) < h / 2 / view.metre);
     // names where a unit is wide enough for its own
-    if (view.metre > 20)
+    if (view.metre * H > 45)
       seen.forEach((u) => {
         element("text", {
           x: u.place[0], y: -u.place[1], "font-size": 11 / view.metre, "text-anchor": "middle", "font-family": "sans-serif",
@@ -121,7 +140,7 @@
   const zoom = (factor, px, py) => {
     const [w, h] = size();
     const dx = (px ?? w / 2) - w / 2, dy = (py ?? h / 2) - h / 2;
-    const metre = Math.min(Math.max(view.metre * factor, 0.05), 2000);
+    const metre = Math.min(Math.max(view.metre * factor, 0.1 / H), 4000 / H);
     view.x += dx / view.metre - dx / metre;
     view.y += dy / view.metre - dy / metre;
     view.metre = metre;
@@ -135,6 +154,7 @@
     event.preventDefault();
     zoom(Math.exp(-event.deltaY / 400), ...at(event));
   }, { passive: false });
+  const pinched = pinch(map, (factor, middle) => zoom(factor, ...at(middle)));
   let held = null, dragged = false;
   drawing.addEventListener("pointerdown", (event) => {
     held = at(event);
@@ -142,7 +162,7 @@
   });
   window.addEventListener("pointerup", () => (held = null));
   window.addEventListener("pointermove", (event) => {
-    if (!held) return;
+    if (!held || pinched()) return;
     const now = at(event);
     if (Math.hypot(now[0] - held[0], now[1] - held[1]) < 3 && !dragged) return;
     dragged = true;
@@ -151,13 +171,14 @@
     held = now;
     draw();
   });
+  const fine = decimals(H / 100);
   const told = (u) =>
     `${u.id} · ${className.get(u.kind) || u.kind}\n` +
     (u.d === null ? "" : `${number(u.d, 1)} ± ${number(u.sd, 1)} cm\n${words.east} ${number(u.e, 1, true)}  ${words.north} ${number(u.n, 1, true)}  ${words.up} ${number(u.h, 1, true)} cm\n${words.turn} ${number(u.turn, 2)}°, p ${probability(u.p)}`);
   drawing.addEventListener("pointermove", (event) => {
     const [x, y] = at(event), [w, h] = size();
     const east = data.origin[0] + view.x + (x - w / 2) / view.metre, north = data.origin[1] - view.y - (y - h / 2) / view.metre;
-    document.getElementById("place").textContent = `${east.toFixed(2)}  ${north.toFixed(2)}`;
+    document.getElementById("place").textContent = `${east.toFixed(fine)}  ${north.toFixed(fine)}`;
     const k = event.target.dataset ? event.target.dataset.unit : undefined;
     tip.hidden = k === undefined || held !== null;
     if (!tip.hidden) {
@@ -179,7 +200,7 @@
     if (from !== "map") {
       view.x = units[k].place[0];
       view.y = -units[k].place[1];
-      view.metre = Math.max(view.metre, 25);
+      view.metre = Math.max(view.metre, 60 / H);
       draw();
     }
   });
@@ -293,7 +314,7 @@
     }));
     const rgb = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16) / 255);
     const middle = units.length ? [0, 1, 2].map((c) => units.reduce((sum, u) => sum + u.place[c], 0) / units.length) : [0, 0, 0];
-    const radius = Math.max(5, ...units.map((u) => Math.hypot(u.place[0] - middle[0], u.place[1] - middle[1]))) + 2;
+    const radius = Math.max(2 * H, ...units.map((u) => Math.hypot(u.place[0] - middle[0], u.place[1] - middle[1]))) + H;
     const VIEW = Math.tan(0.4);  // half of what is seen up and down, a metre away
     const axes = (from) => {
       const ch = Math.cos(from.height), sh = Math.sin(from.height), ca = Math.cos(from.azimuth), sa = Math.sin(from.azimuth);
@@ -301,11 +322,11 @@
     };
     // near enough to fill the window, and far enough that no block is cut by its edges
     const home = () => {
-      const found = { target: [...middle], distance: 5, azimuth: -0.5, height: 0.6 };
+      const found = { target: [...middle], distance: H, azimuth: -0.5, height: 0.6 };
       const { right, back, up } = axes(found), aspect = scene.clientWidth / scene.clientHeight;
       units.forEach((u) => {
         const along = (axis) => axis.reduce((sum, a, k) => sum + a * (u.place[k] - middle[k]), 0);
-        const reach = u.solid === undefined ? 1 : data.solids[u.solid].reach;
+        const reach = (u.solid === undefined ? H / 2 : data.solids[u.solid].reach) + (u.e === null ? 0 : Math.hypot(u.e, u.n, u.h) / 100);
         // a ball touches the edge of what is seen where its radius over the sine does
         const clear = (off, view) => Math.abs(off) / view + reach * Math.hypot(1, 1 / view);
         const needed = Math.max(clear(along(right), VIEW * aspect), clear(along(up), VIEW));
@@ -313,7 +334,7 @@
       });
       return found;
     };
-    let eye = home(), waiting = false;
+    let eye = home(), waiting = false, untouched = true;
     const camera = (aspect) => {
       const { right, back, up } = axes(eye);
       const from = eye.target.map((t, k) => t + back[k] * eye.distance);
@@ -370,12 +391,19 @@
         requestAnimationFrame(render);
       }
     };
+    const near = (factor) => {
+      untouched = false;
+      eye.distance = Math.min(radius * 6, Math.max(H, eye.distance * factor));
+      ask();
+    };
+    const pinched = pinch(canvas, (factor) => near(1 / factor));
     let grip = null;
     canvas.addEventListener("pointerdown", (event) => (grip = [event.clientX, event.clientY, event.shiftKey || event.button === 2]));
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     window.addEventListener("pointerup", () => (grip = null));
     window.addEventListener("pointermove", (event) => {
-      if (!grip) return;
+      if (!grip || pinched()) return;
+      untouched = false;
       const dx = event.clientX - grip[0], dy = event.clientY - grip[1];
       if (grip[2]) {
         const metre = (eye.distance * 0.85) / scene.clientHeight;
@@ -390,22 +418,27 @@
     });
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
-      eye.distance = Math.min(radius * 6, Math.max(2, eye.distance * Math.exp(event.deltaY / 500)));
-      ask();
+      near(Math.exp(event.deltaY / 500));
     }, { passive: false });
     ["show-late", "show-early"].forEach((id) => document.getElementById(id).addEventListener("change", ask));
     document.getElementById("scene-fit").addEventListener("click", () => {
+      untouched = true;
       eye = home();
       ask();
     });
     const lookAt = (k) => {
+      untouched = false;
       eye.target = [...units[k].place];
-      eye.distance = Math.min(eye.distance, 14);
+      eye.distance = Math.min(eye.distance, 6 * H);
       ask();
     };
     followers.push(lookAt);
     if (chosen >= 0) lookAt(chosen);
-    window.addEventListener("resize", ask);
+    window.addEventListener("resize", () => {
+      // a phone that is turned, or a window made narrow, still shows all
+      if (untouched) eye = home();
+      ask();
+    });
     ask();
     return true;
   };

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import re
 import shutil
 import sqlite3
@@ -295,3 +296,22 @@ def test_commands_end_with_their_exit_codes(reviewed: Path, tmp_path: Path) -> N
         done = runner.invoke(app, arguments)
         assert done.exit_code == 2, done.output
         assert "Traceback" not in done.output
+
+
+def test_page_of_laboratory_models_is_drawn_in_their_size(tmp_path: Path) -> None:
+    """Arrows, outlines and the words for a frame without a CRS."""
+    path = tmp_path / "small.gpkg"
+    write_result(path, 20, 2)
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("UPDATE units SET height = 0.105")
+        connection.execute("UPDATE gpkg_geometry_columns SET srs_id = -1")
+    data = write_report(path, tmp_path / "small.html", ReportOptions(sections=("summary",)))
+    assert data.explorer["height"] == 0.105
+    assert data.explorer["outline_steps"] == 1000
+    lengths = [math.hypot(dx, dn) for _, _, dx, dn, _ in data.explorer["arrows"]["drawn"]]
+    assert lengths
+    true = [math.hypot(u["e"], u["n"]) / 100 for u in data.explorer["units"] if u["significant"] and u["e"] is not None]
+    assert max(lengths) <= max(4 * 0.105, *true) + 1e-3
+    page = text_of((tmp_path / "small.html").read_text(encoding="utf-8"))
+    assert "a local frame" in page
+    assert "Undefined" not in page
