@@ -23,9 +23,13 @@ class ResidualPoints(ResultAlgorithm):
             tr("Points less blocks"),
             tr(
                 "Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue "
-                "(within a body) through white to red (10 cm outside or more)."
+                "(10 cm or more within a body) through white to red (10 cm or more outside): what is red is debris, a "
+                "unit that was missed, or one that is broken."
             ),
-            tr("Points are those read around the units for the review (unit-points), in the control frame."),
+            tr(
+                "Points are those read around the units for the review (unit-points), in the control frame. For units lower than 2 m, and "
+                "models of a tank, colours end at 5 % of the height H instead of 10 cm; points near no unit have the distance 10 m."
+            ),
             tr("residuals,LAZ,LAS,point cloud,distance"),
         )
 

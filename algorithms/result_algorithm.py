@@ -50,7 +50,7 @@ class ResultAlgorithm(TetratrackAlgorithm):
     def add_plan(self, *, advanced: bool = False) -> None:
         """Add a placement plan with its tolerances."""
         self.add(
-            QgsProcessingParameterString(self.PLAN, tr("Placement plan"), optional=True),
+            self._file(self.PLAN, tr("Placement plan"), "*.csv *.gpkg *.geojson *.shp"),
             tr(
                 "Path of a CSV unit_id,easting,northing,height with the planned centres, optionally qx,qy,qz,qw, or of a layer of points "
                 "with heights (FILE|layername=NAME)."
@@ -64,7 +64,7 @@ class ResultAlgorithm(TetratrackAlgorithm):
     def add_profile(self, *, judged: bool, advanced: bool = False) -> None:
         """Add a design profile, with its tolerance where units are ``judged`` by it."""
         self.add(
-            QgsProcessingParameterString(self.PROFILE, tr("Design profile"), optional=True),
+            self._file(self.PROFILE, tr("Design profile"), "*.dxf *.gpkg *.geojson *.shp"),
             tr(
                 "Path of a DXF or of a layer of lines with heights: a single line is a cross-section along the whole structure, several "
                 "are its edges."
@@ -95,6 +95,12 @@ class ResultAlgorithm(TetratrackAlgorithm):
             self.STEP, tr("Distance of the sections (m)"), Qgis.ProcessingNumberParameterType.Double, None, True, 0.1
         )
         self.add(step, tr("Metres along the axis; four heights of a unit unless given."), advanced=advanced)
+
+    def _file(self, name: str, label: str, endings: str) -> QgsProcessingParameterFile:
+        """An optional file that can be looked for; any other name may be typed, also one of a layer in a file."""
+        kind = Qgis.ProcessingFileParameterBehavior.File
+        found = f"{label} ({endings});;{tr('All files (*.*)')}"
+        return QgsProcessingParameterFile(name, label, kind, optional=True, fileFilter=found)
 
     def _add_number(self, name: str, label: str, meaning: str, advanced: bool) -> None:
         number = QgsProcessingParameterNumber(name, label, Qgis.ProcessingNumberParameterType.Double, None, True, 0.0)

@@ -16,6 +16,7 @@ from qgis.core import (
 
 from .base import TetratrackAlgorithm, Texts
 from .support.inputs import add_frame, frame_value
+from .support.same_crs import crs_name, same_crs
 from .support.translation import tr
 from .survey_algorithm import write_layers
 
@@ -60,9 +61,10 @@ class TrackDisplacements(TetratrackAlgorithm):
     def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> bool:
         # copies belong to this run, so that the thread need not touch layers of the project
         self.layers = [layer.clone() for layer in self.parameterAsLayerList(parameters, self.INPUT, context)]
-        crs = {layer.crs().authid() for layer in self.layers}
-        if len(crs) > 1:
-            raise QgsProcessingException(tr("The layers of units have different CRS: {crs}.").format(crs=", ".join(sorted(crs))))
+        first = self.layers[0].crs()
+        if not all(same_crs(layer.crs(), first) for layer in self.layers):
+            named = ", ".join(f"{layer.name()} ({crs_name(layer.crs()) or tr('no CRS')})" for layer in self.layers)
+            raise QgsProcessingException(tr("The layers of units have different CRS: {crs}.").format(crs=named))
         return True
 
     def processAlgorithm(

@@ -40,6 +40,7 @@ from qgis.core import (
 from ...core.common.errors import InputError
 from ...core.common.virtual_clouds import tiles_of
 from ..base import TetratrackAlgorithm
+from .same_crs import crs_name
 from .translation import tr
 from .wording import Wording
 
@@ -507,7 +508,7 @@ def check_crs(algorithm: TetratrackAlgorithm, parameters: dict[str, Any], contex
     """Reason why the CRS cannot be used, empty if it can."""
     crs = algorithm.parameterAsCrs(parameters, CRS, context)
     if crs.isValid() and crs.isGeographic():
-        return tr("{crs} is geographic; choose a projected CRS in metres.").format(crs=crs.authid())
+        return tr("{crs} is geographic; choose a projected CRS in metres.").format(crs=crs_name(crs))
     return ""
 
 

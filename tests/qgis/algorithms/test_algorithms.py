@@ -694,3 +694,13 @@ def test_a_folder_of_ply_becomes_a_survey_once_its_crs_is_given(
     assert [(found["label"], found["tiles"], found["undeclared_crs"]) for found in drafted["epoch"]] == [
         (day, f"{day}/wall.PLY", "EPSG:32650") for day in EPOCHS
     ]
+
+
+@pytest.mark.parametrize(("algorithm", "names"), [("comparedesign", ("PLAN", "PROFILE")), ("crosssections", ("PROFILE",))])
+def test_plans_and_profiles_can_be_looked_for(algorithm: str, names: tuple[str, ...]) -> None:
+    """A button beside the field, and layers in files as before."""
+    found = QgsApplication.processingRegistry().algorithmById(f"tetratrack:{algorithm}")
+    for name in names:
+        definition = found.parameterDefinition(name)
+        assert definition.type() == "file"
+        assert all(definition.checkValueIsAcceptable(value) for value in (None, "plan.csv", "design.dxf", "plan.gpkg|layername=plan"))
