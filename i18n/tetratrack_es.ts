@@ -950,13 +950,13 @@
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
-      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (within a body) through white to red (10 cm outside or more).</source>
-      <translation>Escribe los puntos alrededor de los bloques de una época con su distancia al bloque ajustado más próximo, coloreados de azul (dentro de un cuerpo) a rojo (10 cm fuera o más) pasando por blanco.</translation>
+      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (10 cm or more within a body) through white to red (10 cm or more outside): what is red is debris, a unit that was missed, or one that is broken.</source>
+      <translation>Escribe los puntos alrededor de los bloques de una época con su distancia al bloque ajustado más próximo, coloreados de azul (10 cm o más dentro de un cuerpo) a rojo (10 cm o más fuera) pasando por blanco: lo rojo son escombros, un bloque no encontrado o uno roto.</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
-      <source>Points are those read around the units for the review (unit-points), in the control frame.</source>
-      <translation>Los puntos son los leídos alrededor de los bloques para la revisión (unit-points), en el marco de control.</translation>
+      <source>Points are those read around the units for the review (unit-points), in the control frame. For units lower than 2 m, and models of a tank, colours end at 5 % of the height H instead of 10 cm; points near no unit have the distance 10 m.</source>
+      <translation>Los puntos son los leídos alrededor de los bloques para la revisión (unit-points), en el marco de control. Para bloques de menos de 2 m y modelos de tanque, los colores terminan en el 5 % de la altura H en lugar de 10 cm; los puntos lejos de todo bloque tienen la distancia 10 m.</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
@@ -1062,6 +1062,11 @@
       <location filename="../algorithms/result_algorithm.py" />
       <source>What is judged against the design profile; both distances are written.</source>
       <translation>Lo que se juzga frente al perfil de proyecto; se escriben ambas distancias.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>All files (*.*)</source>
+      <translation>Todos los archivos (*.*)</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1990,11 +1995,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>All files (*.*)</source>
-      <translation>Todos los archivos (*.*)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
       <source>Epoch in row {row}</source>
       <translation>Época de la fila {row}</translation>
     </message>
@@ -2372,6 +2372,11 @@
       <location filename="../algorithms/trackdisplacements.py" />
       <source>The layers of units have different CRS: {crs}.</source>
       <translation>Las capas de piezas tienen SRC distintos: {crs}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>no CRS</source>
+      <translation>sin SRC</translation>
     </message>
     <message>
       <location filename="../algorithms/validatesurvey.py" />
@@ -2955,8 +2960,8 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>in heights H, in Dn</source>
-      <translation>en alturas H, en Dn</translation>
+      <source>in heights H, in nominal diameters Dn</source>
+      <translation>en alturas H, en diámetros nominales Dn</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2990,13 +2995,13 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Seen</source>
-      <translation>Visto</translation>
+      <source>Score of the fit, 0 to 1</source>
+      <translation>Puntuación del ajuste, 0 a 1</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Score</source>
-      <translation>Puntuación</translation>
+      <source>Legs seen, of four</source>
+      <translation>Patas vistas, de cuatro</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3057,6 +3062,11 @@
       <location filename="../plugin/review_details.py" />
       <source>largest {length}</source>
       <translation>máximo {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Seen in {epoch}</source>
+      <translation>Visto en {epoch}</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3450,28 +3460,8 @@
     </message>
     <message>
       <location filename="../plugin/review_plots.py" />
-      <source>No displacement of this unit</source>
-      <translation>Sin desplazamiento de esta pieza</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>centre</source>
-      <translation>centro</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
       <source>Section {azimuth}°</source>
       <translation>Sección {azimuth}°</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>3D displacement ({unit})</source>
-      <translation>Desplazamiento 3D ({unit})</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>detection limit</source>
-      <translation>límite de detección</translation>
     </message>
     <message>
       <location filename="../plugin/review_tabs.py" />
@@ -3575,6 +3565,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Seen</source>
+      <translation>Visto</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Name of the unit, the same in all epochs</source>
       <translation>Nombre de la pieza, el mismo en todas las épocas</translation>
     </message>
@@ -3664,6 +3659,26 @@
       <translation>Desplazamiento vertical del centro, positivo hacia arriba ({unit})</translation>
     </message>
     <message>
+      <location filename="../plugin/series_view.py" />
+      <source>No displacement of this unit</source>
+      <translation>Sin desplazamiento de esta pieza</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>centre</source>
+      <translation>centro</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>3D displacement ({unit})</source>
+      <translation>Desplazamiento 3D ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>detection limit</source>
+      <translation>límite de detección</translation>
+    </message>
+    <message>
       <location filename="../plugin/start_page.py" />
       <source>Open result…</source>
       <translation>Abrir resultado…</translation>
@@ -3672,6 +3687,11 @@
       <location filename="../plugin/start_page.py" />
       <source>Take the point cloud layers</source>
       <translation>Tomar las capas de nubes de puntos</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>The files of the project's point cloud layers, in place of a folder</source>
+      <translation>Los archivos de las capas de nubes de puntos del proyecto, en lugar de una carpeta</translation>
     </message>
     <message>
       <location filename="../plugin/start_page.py" />
@@ -3772,6 +3792,11 @@
       <location filename="../plugin/view_3d.py" />
       <source>significant displacement, enlarged {scale} times</source>
       <translation>desplazamiento significativo, ampliado {scale} veces</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/report.html" />
+      <source>a local frame</source>
+      <translation>un sistema local</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_blocks.html" />
@@ -4210,8 +4235,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
-      <source>Drag turns, shift and drag moves, the wheel zooms.</source>
-      <translation>Arrastrar gira, Mayús y arrastrar desplaza, la rueda acerca.</translation>
+      <source>Drag turns, shift and drag moves, the wheel or two fingers zoom.</source>
+      <translation>Arrastrar gira, Mayús y arrastrar desplaza, la rueda o dos dedos acercan.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
@@ -4242,6 +4267,11 @@
       <location filename="../core/report/templates/section_explorer.html" />
       <source>enlarged {times} times</source>
       <translation>ampliadas {times} veces</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>dashed: cut short</source>
+      <translation>a trazos: acortadas</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />

@@ -950,13 +950,13 @@
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
-      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (within a body) through white to red (10 cm outside or more).</source>
-      <translation>Écrit les points autour des blocs d'une époque avec leur distance au bloc ajusté le plus proche, colorés du bleu (dans un corps) au rouge (10 cm dehors ou plus) en passant par le blanc.</translation>
+      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (10 cm or more within a body) through white to red (10 cm or more outside): what is red is debris, a unit that was missed, or one that is broken.</source>
+      <translation>Écrit les points autour des blocs d'une époque avec leur distance au bloc ajusté le plus proche, colorés du bleu (10 cm ou plus dans un corps) au rouge (10 cm ou plus dehors) en passant par le blanc : ce qui est rouge est un débris, un bloc non trouvé ou un bloc cassé.</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
-      <source>Points are those read around the units for the review (unit-points), in the control frame.</source>
-      <translation>Les points sont ceux lus autour des blocs pour la revue (unit-points), dans le repère des points de contrôle.</translation>
+      <source>Points are those read around the units for the review (unit-points), in the control frame. For units lower than 2 m, and models of a tank, colours end at 5 % of the height H instead of 10 cm; points near no unit have the distance 10 m.</source>
+      <translation>Les points sont ceux lus autour des blocs pour la revue (unit-points), dans le repère des points de contrôle. Pour des blocs de moins de 2 m et des modèles en bassin, les couleurs s'arrêtent à 5 % de la hauteur H au lieu de 10 cm ; les points loin de tout bloc ont la distance 10 m.</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
@@ -1062,6 +1062,11 @@
       <location filename="../algorithms/result_algorithm.py" />
       <source>What is judged against the design profile; both distances are written.</source>
       <translation>Ce qui est jugé par rapport au profil de projet ; les deux distances sont écrites.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>All files (*.*)</source>
+      <translation>Tous les fichiers (*.*)</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1990,11 +1995,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>All files (*.*)</source>
-      <translation>Tous les fichiers (*.*)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
       <source>Epoch in row {row}</source>
       <translation>Époque de la ligne {row}</translation>
     </message>
@@ -2372,6 +2372,11 @@
       <location filename="../algorithms/trackdisplacements.py" />
       <source>The layers of units have different CRS: {crs}.</source>
       <translation>Les couches de blocs ont des SCR différents : {crs}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>no CRS</source>
+      <translation>sans SCR</translation>
     </message>
     <message>
       <location filename="../algorithms/validatesurvey.py" />
@@ -2955,8 +2960,8 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>in heights H, in Dn</source>
-      <translation>en hauteurs H, en Dn</translation>
+      <source>in heights H, in nominal diameters Dn</source>
+      <translation>en hauteurs H, en diamètres nominaux Dn</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2990,13 +2995,13 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Seen</source>
-      <translation>Vu</translation>
+      <source>Score of the fit, 0 to 1</source>
+      <translation>Score de l'ajustement, 0 à 1</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Score</source>
-      <translation>Score</translation>
+      <source>Legs seen, of four</source>
+      <translation>Jambes vues, sur quatre</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3057,6 +3062,11 @@
       <location filename="../plugin/review_details.py" />
       <source>largest {length}</source>
       <translation>maximum {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Seen in {epoch}</source>
+      <translation>Vu en {epoch}</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3450,28 +3460,8 @@
     </message>
     <message>
       <location filename="../plugin/review_plots.py" />
-      <source>No displacement of this unit</source>
-      <translation>Aucun déplacement de ce bloc</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>centre</source>
-      <translation>centre</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
       <source>Section {azimuth}°</source>
       <translation>Coupe {azimuth}°</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>3D displacement ({unit})</source>
-      <translation>Déplacement 3D ({unit})</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>detection limit</source>
-      <translation>limite de détection</translation>
     </message>
     <message>
       <location filename="../plugin/review_tabs.py" />
@@ -3575,6 +3565,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Seen</source>
+      <translation>Vu</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Name of the unit, the same in all epochs</source>
       <translation>Nom du bloc, le même à toutes les époques</translation>
     </message>
@@ -3664,6 +3659,26 @@
       <translation>Déplacement vertical du centre, positif vers le haut ({unit})</translation>
     </message>
     <message>
+      <location filename="../plugin/series_view.py" />
+      <source>No displacement of this unit</source>
+      <translation>Aucun déplacement de ce bloc</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>centre</source>
+      <translation>centre</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>3D displacement ({unit})</source>
+      <translation>Déplacement 3D ({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>detection limit</source>
+      <translation>limite de détection</translation>
+    </message>
+    <message>
       <location filename="../plugin/start_page.py" />
       <source>Open result…</source>
       <translation>Ouvrir un résultat…</translation>
@@ -3672,6 +3687,11 @@
       <location filename="../plugin/start_page.py" />
       <source>Take the point cloud layers</source>
       <translation>Prendre les couches de nuages de points</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>The files of the project's point cloud layers, in place of a folder</source>
+      <translation>Les fichiers des couches de nuages de points du projet, au lieu d'un dossier</translation>
     </message>
     <message>
       <location filename="../plugin/start_page.py" />
@@ -3772,6 +3792,11 @@
       <location filename="../plugin/view_3d.py" />
       <source>significant displacement, enlarged {scale} times</source>
       <translation>déplacement significatif, agrandi {scale} fois</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/report.html" />
+      <source>a local frame</source>
+      <translation>un repère local</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_blocks.html" />
@@ -4210,8 +4235,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
-      <source>Drag turns, shift and drag moves, the wheel zooms.</source>
-      <translation>Glisser tourne, Maj et glisser déplace, la molette zoome.</translation>
+      <source>Drag turns, shift and drag moves, the wheel or two fingers zoom.</source>
+      <translation>Glisser tourne, Maj et glisser déplace, la molette ou deux doigts zooment.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
@@ -4242,6 +4267,11 @@
       <location filename="../core/report/templates/section_explorer.html" />
       <source>enlarged {times} times</source>
       <translation>agrandies {times} fois</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>dashed: cut short</source>
+      <translation>en tirets : raccourcies</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />

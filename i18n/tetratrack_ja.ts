@@ -950,13 +950,13 @@
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
-      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (within a body) through white to red (10 cm outside or more).</source>
-      <translation>ある時期のブロック周辺の点を、最も近い当てはめブロックまでの距離とともに書き出します。色は青(内部)から白を経て赤(外側 10 cm 以上)。</translation>
+      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (10 cm or more within a body) through white to red (10 cm or more outside): what is red is debris, a unit that was missed, or one that is broken.</source>
+      <translation>ある時期のブロック周辺の点を、最も近い当てはめブロックまでの距離とともに書き出します。色は青(内部へ 10 cm 以上)から白を経て赤(外側へ 10 cm 以上)。赤い点は破片、見落とされたブロック、または破損したブロックです。</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
-      <source>Points are those read around the units for the review (unit-points), in the control frame.</source>
-      <translation>点は確認のためにブロック周辺から読んだもの(unit-points)で、基準点の座標系にあります。</translation>
+      <source>Points are those read around the units for the review (unit-points), in the control frame. For units lower than 2 m, and models of a tank, colours end at 5 % of the height H instead of 10 cm; points near no unit have the distance 10 m.</source>
+      <translation>点は確認のためにブロック周辺から読んだもの(unit-points)で、基準点の座標系にあります。高さ 2 m 未満のブロックや水槽の模型では、色は 10 cm の代わりに高さ H の 5 % で終わります。近くにブロックのない点の距離は 10 m です。</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
@@ -1062,6 +1062,11 @@
       <location filename="../algorithms/result_algorithm.py" />
       <source>What is judged against the design profile; both distances are written.</source>
       <translation>設計断面に対して判定するもの。両方の距離が書き出されます。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>All files (*.*)</source>
+      <translation>すべてのファイル (*.*)</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1990,11 +1995,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>All files (*.*)</source>
-      <translation>すべてのファイル (*.*)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
       <source>Epoch in row {row}</source>
       <translation>{row} 行目のエポック</translation>
     </message>
@@ -2372,6 +2372,11 @@
       <location filename="../algorithms/trackdisplacements.py" />
       <source>The layers of units have different CRS: {crs}.</source>
       <translation>ブロックのレイヤの座標系が異なります:{crs}。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>no CRS</source>
+      <translation>座標系なし</translation>
     </message>
     <message>
       <location filename="../algorithms/validatesurvey.py" />
@@ -2955,8 +2960,8 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>in heights H, in Dn</source>
-      <translation>高さ H、Dn に対する比</translation>
+      <source>in heights H, in nominal diameters Dn</source>
+      <translation>高さ H、公称径 Dn に対する比</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2990,13 +2995,13 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Seen</source>
-      <translation>可視率</translation>
+      <source>Score of the fit, 0 to 1</source>
+      <translation>当てはめのスコア(0~1)</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Score</source>
-      <translation>スコア</translation>
+      <source>Legs seen, of four</source>
+      <translation>見える脚(4 本中)</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3057,6 +3062,11 @@
       <location filename="../plugin/review_details.py" />
       <source>largest {length}</source>
       <translation>最大 {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Seen in {epoch}</source>
+      <translation>可視率({epoch})</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3450,28 +3460,8 @@
     </message>
     <message>
       <location filename="../plugin/review_plots.py" />
-      <source>No displacement of this unit</source>
-      <translation>このブロックの変位はありません</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>centre</source>
-      <translation>中心</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
       <source>Section {azimuth}°</source>
       <translation>断面 {azimuth}°</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>3D displacement ({unit})</source>
-      <translation>3D変位({unit})</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>detection limit</source>
-      <translation>検出限界</translation>
     </message>
     <message>
       <location filename="../plugin/review_tabs.py" />
@@ -3575,6 +3565,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Seen</source>
+      <translation>可視率</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Name of the unit, the same in all epochs</source>
       <translation>ブロックの名前。全時期で同じ</translation>
     </message>
@@ -3664,6 +3659,26 @@
       <translation>中心の鉛直変位、上向き正({unit})</translation>
     </message>
     <message>
+      <location filename="../plugin/series_view.py" />
+      <source>No displacement of this unit</source>
+      <translation>このブロックの変位はありません</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>centre</source>
+      <translation>中心</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>3D displacement ({unit})</source>
+      <translation>3D変位({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>detection limit</source>
+      <translation>検出限界</translation>
+    </message>
+    <message>
       <location filename="../plugin/start_page.py" />
       <source>Open result…</source>
       <translation>結果を開く…</translation>
@@ -3672,6 +3687,11 @@
       <location filename="../plugin/start_page.py" />
       <source>Take the point cloud layers</source>
       <translation>点群レイヤを使う</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>The files of the project's point cloud layers, in place of a folder</source>
+      <translation>フォルダの代わりに、プロジェクトの点群レイヤのファイルを使います</translation>
     </message>
     <message>
       <location filename="../plugin/start_page.py" />
@@ -3772,6 +3792,11 @@
       <location filename="../plugin/view_3d.py" />
       <source>significant displacement, enlarged {scale} times</source>
       <translation>有意な変位、{scale} 倍に拡大</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/report.html" />
+      <source>a local frame</source>
+      <translation>局所座標系</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_blocks.html" />
@@ -4210,8 +4235,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
-      <source>Drag turns, shift and drag moves, the wheel zooms.</source>
-      <translation>ドラッグで回転、Shift とドラッグで移動、ホイールで拡大縮小。</translation>
+      <source>Drag turns, shift and drag moves, the wheel or two fingers zoom.</source>
+      <translation>ドラッグで回転、Shift とドラッグで移動、ホイールまたは 2 本指で拡大縮小。</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
@@ -4242,6 +4267,11 @@
       <location filename="../core/report/templates/section_explorer.html" />
       <source>enlarged {times} times</source>
       <translation>{times} 倍に拡大</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>dashed: cut short</source>
+      <translation>破線:短縮して表示</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />

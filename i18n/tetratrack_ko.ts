@@ -950,13 +950,13 @@
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
-      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (within a body) through white to red (10 cm outside or more).</source>
-      <translation>한 시기의 블록 주변 점을 가장 가까운 적합 블록까지의 거리와 함께 기록합니다. 색은 파랑(내부)에서 흰색을 거쳐 빨강(바깥 10 cm 이상).</translation>
+      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (10 cm or more within a body) through white to red (10 cm or more outside): what is red is debris, a unit that was missed, or one that is broken.</source>
+      <translation>한 시기의 블록 주변 점을 가장 가까운 적합 블록까지의 거리와 함께 기록합니다. 색은 파랑(안쪽 10 cm 이상)에서 흰색을 거쳐 빨강(바깥 10 cm 이상). 빨간 점은 파편, 놓친 블록 또는 부서진 블록입니다.</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
-      <source>Points are those read around the units for the review (unit-points), in the control frame.</source>
-      <translation>점은 검토를 위해 블록 주변에서 읽은 것(unit-points)이며 기준점 좌표계에 있습니다.</translation>
+      <source>Points are those read around the units for the review (unit-points), in the control frame. For units lower than 2 m, and models of a tank, colours end at 5 % of the height H instead of 10 cm; points near no unit have the distance 10 m.</source>
+      <translation>점은 검토를 위해 블록 주변에서 읽은 것(unit-points)이며 기준점 좌표계에 있습니다. 높이 2 m 미만의 블록과 수조 모형에서는 색이 10 cm 대신 높이 H의 5 %에서 끝납니다. 가까이에 블록이 없는 점의 거리는 10 m입니다.</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
@@ -1062,6 +1062,11 @@
       <location filename="../algorithms/result_algorithm.py" />
       <source>What is judged against the design profile; both distances are written.</source>
       <translation>설계 단면에 대해 판정할 대상. 두 거리 모두 기록됩니다.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>All files (*.*)</source>
+      <translation>모든 파일 (*.*)</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1990,11 +1995,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>All files (*.*)</source>
-      <translation>모든 파일 (*.*)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
       <source>Epoch in row {row}</source>
       <translation>{row}행의 에포크</translation>
     </message>
@@ -2372,6 +2372,11 @@
       <location filename="../algorithms/trackdisplacements.py" />
       <source>The layers of units have different CRS: {crs}.</source>
       <translation>블록 레이어의 좌표계가 다릅니다: {crs}.</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>no CRS</source>
+      <translation>좌표계 없음</translation>
     </message>
     <message>
       <location filename="../algorithms/validatesurvey.py" />
@@ -2955,8 +2960,8 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>in heights H, in Dn</source>
-      <translation>높이 H, Dn 단위</translation>
+      <source>in heights H, in nominal diameters Dn</source>
+      <translation>높이 H, 공칭 지름 Dn 단위</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2990,13 +2995,13 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Seen</source>
-      <translation>보임</translation>
+      <source>Score of the fit, 0 to 1</source>
+      <translation>적합 점수 (0~1)</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Score</source>
-      <translation>점수</translation>
+      <source>Legs seen, of four</source>
+      <translation>보이는 다리 (4개 중)</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3057,6 +3062,11 @@
       <location filename="../plugin/review_details.py" />
       <source>largest {length}</source>
       <translation>최대 {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Seen in {epoch}</source>
+      <translation>{epoch}에 보임</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3450,28 +3460,8 @@
     </message>
     <message>
       <location filename="../plugin/review_plots.py" />
-      <source>No displacement of this unit</source>
-      <translation>이 블록의 변위 없음</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>centre</source>
-      <translation>중심</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
       <source>Section {azimuth}°</source>
       <translation>단면 {azimuth}°</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>3D displacement ({unit})</source>
-      <translation>3D 변위({unit})</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>detection limit</source>
-      <translation>검출 한계</translation>
     </message>
     <message>
       <location filename="../plugin/review_tabs.py" />
@@ -3575,6 +3565,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Seen</source>
+      <translation>보임</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Name of the unit, the same in all epochs</source>
       <translation>블록 이름. 모든 시기에서 같음</translation>
     </message>
@@ -3664,6 +3659,26 @@
       <translation>중심의 연직 변위, 위쪽이 양({unit})</translation>
     </message>
     <message>
+      <location filename="../plugin/series_view.py" />
+      <source>No displacement of this unit</source>
+      <translation>이 블록의 변위 없음</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>centre</source>
+      <translation>중심</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>3D displacement ({unit})</source>
+      <translation>3D 변위({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>detection limit</source>
+      <translation>검출 한계</translation>
+    </message>
+    <message>
       <location filename="../plugin/start_page.py" />
       <source>Open result…</source>
       <translation>결과 열기…</translation>
@@ -3672,6 +3687,11 @@
       <location filename="../plugin/start_page.py" />
       <source>Take the point cloud layers</source>
       <translation>점군 레이어 사용</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>The files of the project's point cloud layers, in place of a folder</source>
+      <translation>폴더 대신 프로젝트의 점군 레이어 파일을 사용합니다</translation>
     </message>
     <message>
       <location filename="../plugin/start_page.py" />
@@ -3772,6 +3792,11 @@
       <location filename="../plugin/view_3d.py" />
       <source>significant displacement, enlarged {scale} times</source>
       <translation>유의한 변위, {scale}배 확대</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/report.html" />
+      <source>a local frame</source>
+      <translation>지역 좌표계</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_blocks.html" />
@@ -4210,8 +4235,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
-      <source>Drag turns, shift and drag moves, the wheel zooms.</source>
-      <translation>드래그로 회전, Shift+드래그로 이동, 휠로 확대·축소.</translation>
+      <source>Drag turns, shift and drag moves, the wheel or two fingers zoom.</source>
+      <translation>드래그로 회전, Shift+드래그로 이동, 휠 또는 두 손가락으로 확대·축소.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
@@ -4242,6 +4267,11 @@
       <location filename="../core/report/templates/section_explorer.html" />
       <source>enlarged {times} times</source>
       <translation>{times}배 확대</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>dashed: cut short</source>
+      <translation>파선: 줄여서 표시</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />

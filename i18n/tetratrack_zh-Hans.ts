@@ -950,13 +950,13 @@
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
-      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (within a body) through white to red (10 cm outside or more).</source>
-      <translation>写出一个时期块体周围的点及其到最近拟合块体的距离,颜色由蓝(体内)经白到红(体外 10 cm 或以上)。</translation>
+      <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (10 cm or more within a body) through white to red (10 cm or more outside): what is red is debris, a unit that was missed, or one that is broken.</source>
+      <translation>写出一个时期块体周围的点及其到最近拟合块体的距离,颜色由蓝(体内 10 cm 或以上)经白到红(体外 10 cm 或以上):红色的是碎块、漏掉的块体或破损的块体。</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
-      <source>Points are those read around the units for the review (unit-points), in the control frame.</source>
-      <translation>点是为审查在块体周围读取的点(unit-points),在控制点坐标系中。</translation>
+      <source>Points are those read around the units for the review (unit-points), in the control frame. For units lower than 2 m, and models of a tank, colours end at 5 % of the height H instead of 10 cm; points near no unit have the distance 10 m.</source>
+      <translation>点是为审查在块体周围读取的点(unit-points),在控制点坐标系中。对于高度小于 2 m 的块体和水槽模型,颜色止于高度 H 的 5 %,而不是 10 cm;附近没有块体的点距离为 10 m。</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
@@ -1062,6 +1062,11 @@
       <location filename="../algorithms/result_algorithm.py" />
       <source>What is judged against the design profile; both distances are written.</source>
       <translation>相对设计断面判定的对象;两种距离都会写出。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/result_algorithm.py" />
+      <source>All files (*.*)</source>
+      <translation>所有文件 (*.*)</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1990,11 +1995,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
-      <source>All files (*.*)</source>
-      <translation>所有文件 (*.*)</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/inputs.py" />
       <source>Epoch in row {row}</source>
       <translation>第 {row} 行的期次</translation>
     </message>
@@ -2372,6 +2372,11 @@
       <location filename="../algorithms/trackdisplacements.py" />
       <source>The layers of units have different CRS: {crs}.</source>
       <translation>块体图层的坐标系不同:{crs}。</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/trackdisplacements.py" />
+      <source>no CRS</source>
+      <translation>无坐标系</translation>
     </message>
     <message>
       <location filename="../algorithms/validatesurvey.py" />
@@ -2955,8 +2960,8 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>in heights H, in Dn</source>
-      <translation>以高度 H、Dn 表示</translation>
+      <source>in heights H, in nominal diameters Dn</source>
+      <translation>以高度 H、公称直径 Dn 表示</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2990,13 +2995,13 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Seen</source>
-      <translation>可见</translation>
+      <source>Score of the fit, 0 to 1</source>
+      <translation>拟合得分(0 到 1)</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Score</source>
-      <translation>得分</translation>
+      <source>Legs seen, of four</source>
+      <translation>可见的腿(共四条)</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3057,6 +3062,11 @@
       <location filename="../plugin/review_details.py" />
       <source>largest {length}</source>
       <translation>最大 {length}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Seen in {epoch}</source>
+      <translation>{epoch} 可见</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3450,28 +3460,8 @@
     </message>
     <message>
       <location filename="../plugin/review_plots.py" />
-      <source>No displacement of this unit</source>
-      <translation>该块体没有位移</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>centre</source>
-      <translation>中心</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
       <source>Section {azimuth}°</source>
       <translation>剖面 {azimuth}°</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>3D displacement ({unit})</source>
-      <translation>三维位移({unit})</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_plots.py" />
-      <source>detection limit</source>
-      <translation>探测限</translation>
     </message>
     <message>
       <location filename="../plugin/review_tabs.py" />
@@ -3575,6 +3565,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Seen</source>
+      <translation>可见</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Name of the unit, the same in all epochs</source>
       <translation>块体名称,各期相同</translation>
     </message>
@@ -3664,6 +3659,26 @@
       <translation>中心的竖直位移,向上为正({unit})</translation>
     </message>
     <message>
+      <location filename="../plugin/series_view.py" />
+      <source>No displacement of this unit</source>
+      <translation>该块体没有位移</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>centre</source>
+      <translation>中心</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>3D displacement ({unit})</source>
+      <translation>三维位移({unit})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
+      <source>detection limit</source>
+      <translation>探测限</translation>
+    </message>
+    <message>
       <location filename="../plugin/start_page.py" />
       <source>Open result…</source>
       <translation>打开结果…</translation>
@@ -3672,6 +3687,11 @@
       <location filename="../plugin/start_page.py" />
       <source>Take the point cloud layers</source>
       <translation>使用点云图层</translation>
+    </message>
+    <message>
+      <location filename="../plugin/start_page.py" />
+      <source>The files of the project's point cloud layers, in place of a folder</source>
+      <translation>使用项目中点云图层的文件,代替文件夹</translation>
     </message>
     <message>
       <location filename="../plugin/start_page.py" />
@@ -3772,6 +3792,11 @@
       <location filename="../plugin/view_3d.py" />
       <source>significant displacement, enlarged {scale} times</source>
       <translation>显著位移,放大 {scale} 倍</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/report.html" />
+      <source>a local frame</source>
+      <translation>局部坐标系</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_blocks.html" />
@@ -4210,8 +4235,8 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
-      <source>Drag turns, shift and drag moves, the wheel zooms.</source>
-      <translation>拖动旋转,按住 Shift 拖动平移,滚轮缩放。</translation>
+      <source>Drag turns, shift and drag moves, the wheel or two fingers zoom.</source>
+      <translation>拖动旋转,按住 Shift 拖动平移,滚轮或双指缩放。</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
@@ -4242,6 +4267,11 @@
       <location filename="../core/report/templates/section_explorer.html" />
       <source>enlarged {times} times</source>
       <translation>放大 {times} 倍</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_explorer.html" />
+      <source>dashed: cut short</source>
+      <translation>虚线:已缩短</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />

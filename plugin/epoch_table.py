@@ -32,7 +32,8 @@ from .epoch_rows import FILES, EpochRow, tiles_text
 COLUMNS = ("label", "time", "tiles", "points", "density", "crs", *FILES)
 TIME_PATTERN = "yyyy-MM-dd HH:mm"
 CLOUDS = " ".join(f"*{ending} *{ending.upper()}" for ending in (*POINT_CLOUD_ENDINGS, *SCAN_ENDINGS, ".vpc"))
-TIME_WIDTH = 175
+TIME_BUTTONS = 75
+"""Pixels that the buttons of a time take in its cell, beside the text."""
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#AA4499", "#E69F00", "#56B4E9")
 """Of the epochs, in the table and on the map (Okabe and Ito, 2008)."""
 
@@ -110,7 +111,7 @@ class EpochTable(QWidget):
         for place, row in enumerate(rows):
             self._fill(place, row)
         self.table.resizeColumnsToContents()
-        self.table.setColumnWidth(COLUMNS.index("time"), TIME_WIDTH)
+        self.table.setColumnWidth(COLUMNS.index("time"), self.fontMetrics().horizontalAdvance("0000-00-00 00:00") + TIME_BUTTONS)
         self._filling = False
 
     def selected(self) -> list[int]:

@@ -8,7 +8,7 @@ import math
 import numpy as np
 from qgis.PyQt.QtGui import QPalette
 
-from ..algorithms.support.lengths import length_format
+from ..algorithms.support.lengths import decimal, length_format
 from ..algorithms.support.translation import tr
 from ..core.results.geopackage_reader import Row
 from ..core.results.unit_rows import CheckComparison, UnitDetails, UnitRow, check_comparisons
@@ -32,7 +32,7 @@ def numbers_html(store: ReviewStore, unit: str) -> str:
             f"<h3>{html.escape(unit)} – {html.escape(kind_label(row.kind))}</h3>",
             "<table cellspacing='0' cellpadding='3'>",
             *_displacement_lines(row),
-            *_quality_lines(fit),
+            *_quality_lines(fit, str(fit.get("epoch") or "")),
             "</table>",
             *_check_lines(check_comparisons(details, pair)),
             *_pick_lines(details, read_picks(store.path, unit)),
@@ -86,30 +86,32 @@ def _displacement_lines(row: UnitRow) -> list[str]:
     height = row.height or math.nan
     lines = [
         _line(tr("3D displacement"), f"{lengths.text(row.d_3d)} ± {lengths.number(row.sd_3d)}"),
-        _line(tr("in heights H, in Dn"), f"{row.d_3d / height:.3f} H, {row.d_over_dn or math.nan:.3f} Dn"),
+        _line(
+            tr("in heights H, in nominal diameters Dn"), f"{decimal(row.d_3d / height, 3)} H, {decimal(row.d_over_dn or math.nan, 3)} Dn"
+        ),
     ]
     for name, part, sd in zip((tr("Easting"), tr("Northing"), tr("Height")), row.vector, row.sd, strict=True):
-        lines.append(_line(name, f"{part * lengths.factor:+.{lengths.decimals}f} {lengths.suffix} ± {lengths.number(sd)}"))
+        lines.append(_line(name, f"{lengths.signed(part)} ± {lengths.number(sd)}"))
     lines.append(_line(tr("Horizontal"), lengths.text(row.d_horizontal)))
     if row.rotation_deg is not None:
-        sd_rotation = f" ± {row.sd_rotation_deg:.2f}°" if row.sd_rotation_deg is not None else ""
-        lines.append(_line(tr("Rotation"), f"{row.rotation_deg:.2f}°{sd_rotation}"))
+        sd_rotation = f" ± {decimal(row.sd_rotation_deg, 2)}°" if row.sd_rotation_deg is not None else ""
+        lines.append(_line(tr("Rotation"), f"{decimal(row.rotation_deg, 2)}°{sd_rotation}"))
     if row.p_value is not None:
         verdict = tr("significant") if row.significant else tr("not significant")
-        p = f"p = {row.p_value:.4f}" if row.p_value >= LEAST_P else f"p < {LEAST_P}"
+        p = f"p = {decimal(row.p_value, 4)}" if row.p_value >= LEAST_P else f"p < {decimal(LEAST_P, 4)}"
         lines.append(_line(tr("Test against no motion"), f"{p}, {verdict}"))
     lines.append(_line(tr("Detection limit"), lengths.text(row.detection_limit)))
     return lines
 
 
-def _quality_lines(fit: Row) -> list[str]:
+def _quality_lines(fit: Row, epoch: str) -> list[str]:
     measures = (
-        (tr("Seen"), "coverage", "{:.0%}"),
-        (tr("Score"), "score", "{:.2f}"),
-        (tr("Points"), "n_points", "{}"),
-        (tr("Legs seen"), "legs_visible", "{}"),
+        (tr("Seen in {epoch}").format(epoch=epoch), "coverage", lambda value: f"{100 * value:.0f} %"),
+        (tr("Score of the fit, 0 to 1"), "score", lambda value: decimal(value, 2)),
+        (tr("Points"), "n_points", str),
+        (tr("Legs seen, of four"), "legs_visible", str),
     )
-    lines = [_line(name, form.format(fit[key])) for name, key, form in measures if fit.get(key) is not None]
+    lines = [_line(name, text(fit[key])) for name, key, text in measures if fit.get(key) is not None]
     broken = [k for k in range(1, 5) if fit.get(f"leg{k}") == "broken"]
     if broken:
         missing = length_format().text(fit.get("leg_missing"))

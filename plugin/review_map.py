@@ -35,7 +35,7 @@ from ..core.results.geopackage_reader import table_names
 from .review_store import ReviewStore
 from .review_text import datum_label
 
-ZOOM_HEIGHTS = 12.0
+ZOOM_HEIGHTS = 8.0
 """Width of the map after zooming to a unit, in heights of the unit."""
 
 

@@ -1,4 +1,4 @@
-"""Drawings of the review: a unit from above, a vertical section through it, and its displacement over time.
+"""Drawings of the review: a unit from above, and a vertical section through it.
 
 Drawn with QPainter alone, in the colours of the running theme.
 """
@@ -6,31 +6,28 @@ Drawn with QPainter alone, in the colours of the running theme.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from datetime import datetime
 from functools import cached_property
 
 import numpy as np
-from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QPointF, QRectF, QSize, QSizeF, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QFontMetricsF, QMouseEvent, QPainter, QPaintEvent, QPalette, QPen, QPolygonF, QWheelEvent
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
-from ..algorithms.support.lengths import LengthFormat, length_format
+from ..algorithms.support.lengths import decimal
 from ..algorithms.support.translation import tr
 from ..core.common.arrays import FloatArray
 from ..core.model.outline import PlacedShape, end_discs, section, silhouette
-from ..core.results.unit_rows import Z_95, SeriesPoint
 from .review_text import is_dark, paper
 
 # Okabe and Ito (2008): told apart by colour-blind readers; the lighter tones serve dark themes
 EARLIER, LATER = ("#0072B2", "#56B4E9"), ("#D55E00", "#E69F00")
-FEATURE_COLOURS = {"centre": ("#000000", "#FFFFFF"), "f123": ("#0072B2", "#56B4E9"), "f124": ("#D55E00", "#E69F00")}
-FEATURE_COLOURS |= {"f134": ("#009E73", "#A8E6A1"), "f234": ("#882255", "#B66DFF")}
 SLAB = 0.12
 """Half thickness of the slab of points drawn in the section, as a fraction of the leg length."""
 MOST_POINTS = 6_000
 MARGIN = 6
+LEAST_LINES = 9
+"""Lines of text that a view is high at least where it names its datum, too."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,11 +166,33 @@ class UnitView(QWidget):
             points = points[np.abs((points - self.scene.middle) @ np.cross(right, up)) <= SLAB * length]
         return points[:: max(1, math.ceil(len(points) / MOST_POINTS))]
 
+    def _side(self) -> float:
+        """Pixels of the square that the drawing fills."""
+        return min(self.width(), self.height() - 2 * self.fontMetrics().height()) - 2 * MARGIN
+
     def pixels_per_metre(self) -> float:
-        return self._zoom * (min(self.width(), self.height() - 2 * self.fontMetrics().height()) - 2 * MARGIN) / (2 * self.scene.half_size)
+        """Scale of the drawing."""
+        return self._zoom * self._side() / (2 * self.scene.half_size)
 
     def _origin(self) -> QPointF:
-        return QPointF(self.width() / 2, self.height() / 2) + self._shift
+        # names and notes stand to the left, above and below: the drawing makes room for them where it has any
+        aside = min(0.5 * (self.width() - 2 * MARGIN - self._side()), 0.5 * self._legend_size().width())
+        return QPointF(self.width() / 2 + max(aside, 0.0), self.height() / 2) + self._shift
+
+    def _legend_size(self) -> QSizeF:
+        """Room of title, epochs and datum; the datum is left out where it would leave the drawing none."""
+        metrics = QFontMetricsF(self.font())
+        lines = 4 if self._datum() else 3
+        wide = max(metrics.horizontalAdvance(text) for text in (self._title(), self._datum(), *self.scene.labels))
+        return QSizeF(wide + 2 * MARGIN + 22, lines * metrics.height() + MARGIN + 2)
+
+    def _title(self) -> str:
+        return tr("Plan") if self._plan else tr("Section {azimuth}°").format(azimuth=f"{math.degrees(self.azimuth) % 360:.0f}")
+
+    def _datum(self) -> str:
+        if self.height() < LEAST_LINES * self.fontMetrics().height():
+            return ""
+        return str(self.fontMetrics().elidedText(self.scene.datum, Qt.TextElideMode.ElideRight, self.width() - 2 * MARGIN - 22))
 
     def _to_screen(self, flat: FloatArray) -> QPolygonF:
         scale, origin = self.pixels_per_metre(), self._origin()
@@ -230,7 +249,7 @@ class UnitView(QWidget):
             right, up = self.axes()
             x, y = self._to_metres(place)
             e, n, h = self.scene.middle + x * right + y * up
-            self._hover = f"E {e:.2f}  N {n:.2f}" if self._plan else f"{x:+.2f} m  H {h:.2f}"
+            self._hover = f"E {decimal(e, 2)}  N {decimal(n, 2)}" if self._plan else f"{decimal(x, 2, signed=True)} m  H {decimal(h, 2)}"
         self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -334,24 +353,21 @@ class UnitView(QWidget):
     def _draw_frame(self, painter: QPainter, ink: QColor, colours: tuple[QColor, QColor]) -> None:
         metrics = QFontMetricsF(self.font())
         line = metrics.height()
-        title = tr("Plan") if self._plan else tr("Section {azimuth}°").format(azimuth=f"{math.degrees(self.azimuth) % 360:.0f}")
         base = paper(self.palette())
         base.setAlpha(200)
-        datum = metrics.elidedText(self.scene.datum, Qt.TextElideMode.ElideRight, self.width() - 2 * MARGIN - 22)
-        wide = max(metrics.horizontalAdvance(text) for text in (title, datum, *self.scene.labels)) + 2 * MARGIN + 22
-        painter.fillRect(QRectF(0, 0, wide, (4 if datum else 3) * line + MARGIN + 2), base)
+        painter.fillRect(QRectF(QPointF(0, 0), self._legend_size()), base)
         painter.setPen(ink)
-        painter.drawText(QPointF(MARGIN, MARGIN + metrics.ascent()), title)
+        painter.drawText(QPointF(MARGIN, MARGIN + metrics.ascent()), self._title())
         for epoch in (0, 1):
             y = MARGIN + (epoch + 1.5) * line
             painter.setPen(QPen(colours[epoch], 2.0, Qt.PenStyle.SolidLine if epoch else Qt.PenStyle.DashLine))
             painter.drawLine(QPointF(MARGIN, y), QPointF(MARGIN + 18, y))
             painter.setPen(ink)
             painter.drawText(QPointF(MARGIN + 22, y + metrics.ascent() / 2 - 1), self.scene.labels[epoch])
-        painter.drawText(QPointF(MARGIN, MARGIN + 3 * line + metrics.ascent()), datum)
-        bar = _round_below(0.3 * self.width() / self.pixels_per_metre())
+        painter.drawText(QPointF(MARGIN, MARGIN + 3 * line + metrics.ascent()), self._datum())
+        bar = round_below(0.3 * self.width() / self.pixels_per_metre())
         bottom = self.height() - MARGIN
-        text = f"{bar:g} m"
+        text = f"{decimal(bar, max(0, -math.floor(math.log10(bar))))} m"
         painter.fillRect(
             QRectF(0, bottom - line - 6, bar * self.pixels_per_metre() + metrics.horizontalAdvance(text) + 4 * MARGIN, line + 12), base
         )
@@ -371,129 +387,7 @@ class UnitView(QWidget):
             painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, shown)
 
 
-class SeriesView(QWidget):
-    """Displacement of each feature since the unit's first epoch, with its 95 % band, beside the detection limit."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("view_series")
-        self.setMinimumSize(200, 130)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.series: dict[str, Sequence[SeriesPoint]] = {}
-        self.limit: float | None = None
-
-    def sizeHint(self) -> QSize:
-        """Room for axes and legend."""
-        return QSize(420, 220)
-
-    def show_series(self, series: Mapping[str, Sequence[SeriesPoint]], limit: float | None) -> None:
-        """Draw the series by feature name; ``limit`` is the detection limit in metres."""
-        self.series = {name: points for name, points in series.items() if points}
-        self.limit = limit
-        self.update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the plot."""
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), paper(self.palette()))
-        ink = self.palette().color(QPalette.ColorRole.Text)
-        painter.setPen(ink)
-        if not any(len(points) > 1 for points in self.series.values()):
-            text = tr("No displacement of this unit") if self.series else tr("Select a unit")
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, text)
-            painter.end()
-            return
-        self._draw(painter, ink, length_format())
-        painter.end()
-
-    def _draw(self, painter: QPainter, ink: QColor, lengths: LengthFormat) -> None:
-        metrics = QFontMetricsF(self.font())
-        points = [point for series in self.series.values() for point in series]
-        top = 1.08 * max([p.d_3d + Z_95 * p.sd for p in points] + [self.limit or 0.0])
-        step = _round_below(top * lengths.factor / 4) / lengths.factor
-        ticks = [k * step for k in range(int(top / step) + 1)]
-        decimals = max(0, math.ceil(-math.log10(step * lengths.factor) - 1e-9))
-        names = [f"{tick * lengths.factor:.{decimals}f}" for tick in ticks]
-        left = max(metrics.horizontalAdvance(name) for name in names) + 2 * MARGIN
-        legend = metrics.height() + 2 * MARGIN
-        area = QRectF(
-            left, legend + metrics.height(), self.width() - left - 3 * MARGIN, self.height() - legend - 2 * metrics.height() - 2 * MARGIN
-        )
-        moments = self._moments()
-        first, last = min(moments.values()), max(moments.values())
-        span = (last - first) or 1.0
-
-        def place(epoch: str, value: float) -> QPointF:
-            return QPointF(
-                area.left() + area.width() * (moments[epoch] - first) / span, area.bottom() - area.height() * min(value, top) / top
-            )
-
-        grid = QColor(ink)
-        grid.setAlpha(50)
-        for tick, name in zip(ticks, names, strict=True):
-            y = area.bottom() - area.height() * tick / top
-            painter.setPen(QPen(grid, 1.0))
-            painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
-            painter.setPen(ink)
-            painter.drawText(QPointF(left - MARGIN - metrics.horizontalAdvance(name), y + metrics.ascent() / 2 - 1), name)
-        painter.drawText(QPointF(MARGIN, legend + metrics.ascent() - 2), tr("3D displacement ({unit})").format(unit=lengths.suffix))
-        self._draw_epochs(painter, area, {epoch: place(epoch, 0).x() for epoch in moments}, metrics)
-        if self.limit is not None:
-            y = area.bottom() - area.height() * self.limit / top
-            painter.setPen(QPen(QColor("#CC3311"), 1.5, Qt.PenStyle.DashLine))
-            painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
-        dark = is_dark(self.palette())
-        for name, series in self.series.items():
-            colour = QColor(FEATURE_COLOURS[name][dark])
-            band = QColor(colour)
-            band.setAlpha(28)
-            high = [place(p.epoch, p.d_3d + Z_95 * p.sd) for p in series]
-            low = [place(p.epoch, max(p.d_3d - Z_95 * p.sd, 0.0)) for p in series]
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(band)
-            painter.drawPolygon(QPolygonF(high + low[::-1]))
-            painter.setPen(QPen(colour, 2.5 if name == "centre" else 1.2))
-            painter.drawPolyline(QPolygonF([place(p.epoch, p.d_3d) for p in series]))
-            painter.setBrush(colour)
-            for p in series:
-                painter.drawEllipse(place(p.epoch, p.d_3d), 2.5, 2.5)
-        self._draw_legend(painter, ink, metrics, dark)
-
-    def _draw_legend(self, painter: QPainter, ink: QColor, metrics: QFontMetricsF, dark: bool) -> None:
-        x, y = float(MARGIN), MARGIN + metrics.ascent()
-        for name in self.series:
-            painter.setPen(QPen(QColor(FEATURE_COLOURS[name][dark]), 2.5))
-            painter.drawLine(QPointF(x, y - metrics.ascent() / 3), QPointF(x + 12, y - metrics.ascent() / 3))
-            painter.setPen(ink)
-            label = tr("centre") if name == "centre" else name
-            painter.drawText(QPointF(x + 15, y), label)
-            x += 15 + metrics.horizontalAdvance(label) + 8
-        if self.limit is not None:
-            painter.setPen(QPen(QColor("#CC3311"), 1.5, Qt.PenStyle.DashLine))
-            painter.drawLine(QPointF(x, y - metrics.ascent() / 3), QPointF(x + 14, y - metrics.ascent() / 3))
-            painter.setPen(ink)
-            room = int(self.width() - x - 18 - MARGIN)
-            painter.drawText(QPointF(x + 18, y), self.fontMetrics().elidedText(tr("detection limit"), Qt.TextElideMode.ElideRight, room))
-
-    def _draw_epochs(self, painter: QPainter, area: QRectF, places: dict[str, float], metrics: QFontMetricsF) -> None:
-        free = -1e9
-        for epoch, x in places.items():
-            painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + 4))
-            width = metrics.horizontalAdvance(epoch)
-            begin = min(max(x - width / 2, 2.0), self.width() - width - 2)
-            if begin > free:
-                painter.drawText(QPointF(begin, area.bottom() + 5 + metrics.ascent()), epoch)
-                free = begin + width + 6
-
-    def _moments(self) -> dict[str, float]:
-        epochs: dict[str, datetime | None] = {point.epoch: point.time for series in self.series.values() for point in series}
-        if any(time is None for time in epochs.values()):
-            return {epoch: float(k) for k, epoch in enumerate(epochs)}
-        return dict(sorted(((epoch, time.timestamp()) for epoch, time in epochs.items() if time is not None), key=lambda item: item[1]))
-
-
-def _round_below(value: float) -> float:
+def round_below(value: float) -> float:
     """Largest of 1, 2 or 5 times a power of ten not above a positive value."""
     power = 10.0 ** math.floor(math.log10(max(value, 1e-9)))
     return next(step * power for step in (5, 2, 1) if step * power <= value * (1 + 1e-9))

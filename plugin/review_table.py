@@ -8,7 +8,7 @@ from qgis.PyQt.QtCore import QAbstractTableModel, QEvent, QItemSelection, QItemS
 from qgis.PyQt.QtGui import QBrush, QColor, QFont, QKeyEvent, QPalette
 from qgis.PyQt.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableView, QWidget
 
-from ..algorithms.support.lengths import length_format
+from ..algorithms.support.lengths import decimal, length_format
 from ..core.results.unit_rows import UnitRow
 from ..core.review.decisions import DECISIONS
 from .review_store import COLUMNS, ReviewStore
@@ -99,9 +99,9 @@ class ReviewModel(QAbstractTableModel):
         if column == "decision":
             return f"● {decision_label(value)}"
         if column == "rotation_deg":
-            return f"{value:.2f}°"
+            return f"{decimal(value, 2)}°"
         if column == "p_value":
-            return f"{value:.3f}" if value >= 0.001 else "<0.001"
+            return decimal(value, 3) if value >= 0.001 else f"<{decimal(0.001, 3)}"
         if column == "coverage":
             return f"{100 * value:.0f} %"
         return str(value)

@@ -18,9 +18,10 @@ from ..core.results.unit_rows import series, shift_to_datum
 from ..core.review.corrections import read_picks
 from .review_details import history_html, numbers_html
 from .review_panels import StatusLine
-from .review_plots import SeriesView, UnitScene, UnitView
+from .review_plots import UnitScene, UnitView
 from .review_store import ReviewStore
 from .review_text import datum_label
+from .series_view import SeriesView
 
 
 class UnitTabs(QTabWidget):
@@ -38,8 +39,9 @@ class UnitTabs(QTabWidget):
         self._status = status
         self._store: ReviewStore | None = None
         self.setDocumentMode(True)
-        self.setMinimumHeight(180)
         self.addTab(self._views(), tr("Views"))
+        # with large letters too, the views keep their least height and what is below them
+        self.setMinimumHeight(max(180, self.tabBar().sizeHint().height() + self.widget(0).minimumSizeHint().height()))
         self.series = SeriesView(self)
         self.addTab(self.series, tr("Series"))
         self.numbers, self.history = QTextBrowser(self), QTextBrowser(self)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qgis.core import Qgis, QgsExpressionContextUtils, QgsProject, QgsSettings, QgsUnitTypes
+from qgis.PyQt.QtCore import QLocale
 
 SENSIBLE_DECIMALS = {
     Qgis.DistanceUnit.Meters: 4,
@@ -32,12 +33,24 @@ class LengthFormat:
         """The bare number; a dash where a length is not known."""
         if metres is None:
             return UNKNOWN
-        # adding zero turns the negative zero of small values into zero
-        return f"{round(metres * self.factor, self.decimals) + 0.0:.{self.decimals}f}"
+        return decimal(metres * self.factor, self.decimals)
+
+    def signed(self, metres: float) -> str:
+        """The number with its sign, and unit."""
+        return f"{decimal(metres * self.factor, self.decimals, signed=True)} {self.suffix}"
 
     def text(self, metres: float | None) -> str:
         """Number and unit; a dash where a length is not known."""
         return UNKNOWN if metres is None else f"{self.number(metres)} {self.suffix}"
+
+
+def decimal(value: float, decimals: int, *, signed: bool = False) -> str:
+    """A number with the decimal sign of the user's country, as QGIS writes it beside on the map and in its own fields."""
+    locale = QLocale()
+    locale.setNumberOptions(QLocale.NumberOption.OmitGroupSeparator)
+    # adding zero turns the negative zero of small values into zero
+    rounded = round(value, decimals) + 0.0
+    return ("+" if signed and rounded >= 0 else "") + str(locale.toString(float(rounded), "f", decimals))
 
 
 def length_format() -> LengthFormat:

@@ -105,7 +105,7 @@ def test_entries_of_a_legend_differ_for_everybody(repository: Path, layer: str) 
 
 def test_features_and_epochs_differ_for_everybody(repository: Path) -> None:
     assert too_alike(figures.FEATURE_COLOURS) == []
-    features = constant(repository / "plugin" / "review_plots.py", "FEATURE_COLOURS")
+    features = constant(repository / "plugin" / "series_view.py", "FEATURE_COLOURS")
     assert len(features) == 5
     for theme in (0, 1):
         assert too_alike({name: pair[theme] for name, pair in features.items()}) == []

@@ -156,3 +156,24 @@ def test_moments_are_the_same_in_every_time_zone(dock: ReviewDock, zone: str, mo
         monkeypatch.undo()
         os.environ.pop("TZ", None) if zone == os.environ.get("TZ") else None
         time.tzset()
+
+
+def test_lengths_in_the_dock_have_the_decimal_sign_of_the_map(dock: ReviewDock) -> None:
+    before = QLocale()
+    try:
+        QLocale.setDefault(QLocale(QLocale.Language.French))
+        dock.store.select([dock.store.shown(0).unit_id])
+        dock.tabs.setCurrentIndex(2)
+        row = dock.store.row(dock.store.current)
+        written = f"{row.d_3d:.3f}".replace(".", ",")
+        assert dock.model.text(row, "d_3d") == written
+        page = dock.tabs.numbers.toPlainText()
+        assert f"{written} m ±" in page
+        assert f"{row.rotation_deg:.2f}°".replace(".", ",") in page
+        assert f"{row.d_3d / row.height:.3f} H".replace(".", ",") in page
+        # another epoch than that of the table's worse share
+        assert f"Seen in {dock.store.pair.epoch_to}" in page
+        east = row.vector[0]
+        assert f"{east:+.3f} m".replace(".", ",") in page
+    finally:
+        QLocale.setDefault(before)

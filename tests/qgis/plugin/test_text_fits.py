@@ -9,7 +9,7 @@ import pytest
 from qgis.core import QgsApplication, QgsProject
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QCoreApplication, Qt, QTranslator
-from qgis.PyQt.QtGui import QFontMetrics
+from qgis.PyQt.QtGui import QFont, QFontMetrics
 from qgis.PyQt.QtWidgets import (
     QAbstractButton,
     QApplication,
@@ -176,3 +176,34 @@ def test_the_check_finds_what_is_cut(qgis_app: QgsApplication) -> None:
         widget.resize(400, 30)
     assert cut(root) == []
     root.close()
+
+
+def test_large_letters_leave_room_for_the_views(window: QMainWindow, result: Path) -> None:
+    """Letters of 13 points, as on a screen whose text is enlarged."""
+    before = QApplication.font()
+    try:
+        large = QFont(before)
+        large.setPointSize(13)
+        QApplication.setFont(large)
+        dock = ReviewDock(window.centralWidget(), QgsProject.instance(), window)
+        window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        assert dock.open(result)
+        dock.store.step(1)
+        QApplication.processEvents()
+        views = dock.tabs.widget(0)
+        assert views.height() >= views.minimumSizeHint().height()
+        for view in (dock.tabs.plan, dock.tabs.section):
+            assert view.height() >= view.minimumHeight()
+            # the drawing makes room for its names where it has any, and leaves its datum out where it has none
+            legend, side = view._legend_size(), view._side()
+            free = view.width() - side - 12
+            assert view._origin().x() == pytest.approx(view.width() / 2 + min(free, legend.width()) / 2)
+            assert bool(view._datum()) == (view.height() >= 9 * view.fontMetrics().height())
+        dock.close()
+        table = EpochTable(window)
+        window.setCentralWidget(table)
+        QApplication.processEvents()
+        table.show_rows([EpochRow("2025-03-14", time="2025-03-14T02:30:00Z")])
+        assert table.table.columnWidth(1) >= table.fontMetrics().horizontalAdvance("2025-03-14 02:30") + 60
+    finally:
+        QApplication.setFont(before)
