@@ -180,7 +180,7 @@ def estimate_surface(
 
 
 def _as_true(customary: FloatArray, values: FloatArray, traces: FloatArray) -> FloatArray:
-    """Variances that the prior holds the present ``values`` to: of components, ``customary`` ones times how true these castings are.
+    """Variances that the prior holds the present ``values`` to: of components, ``customary`` ones, or less where these castings are truer.
 
     Each smooth component says by how much it is off, as far as the survey tells it: by the degrees of freedom that are left of its
     (len(values),) ``traces``, beside those of the prior. Without that the customary variances hold up those of ideal cones, of which
@@ -191,7 +191,8 @@ def _as_true(customary: FloatArray, values: FloatArray, traces: FloatArray) -> F
     weights = told / (told + PRIOR_DEGREES)
     share = (weights @ (values[smooth] / customary[smooth]) + CUSTOMARY_WEIGHT) / (weights.sum() + CUSTOMARY_WEIGHT)
     held = customary.copy()
-    held[:OWN] *= share
+    # one component that is far off, as in a worn series, says nothing of the others
+    held[:OWN] *= min(1.0, share)
     return held
 
 

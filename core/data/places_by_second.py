@@ -9,8 +9,8 @@ import numpy as np
 
 from ..common.arrays import FloatArray, IntArray
 
-MOST_SECONDS = 400_000
-"""Seconds that are kept of a tile, some days: times that spread over more are no seconds."""
+MOST_TIME = 2.0**53
+"""Seconds beyond which a number is no time: what nobody wrote may be anything."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,7 +22,7 @@ class PlacesBySecond:
     seconds
         (k,) whole seconds, ascending.
     counts
-        (k,) points in each, or those that were looked at.
+        (k,) points in each.
     sums
         (k, 2) sums of their eastings and northings, metres.
     """
@@ -37,20 +37,12 @@ class PlacesBySecond:
         return cls(np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64), np.zeros((0, 2)))
 
     @classmethod
-    def of(cls, times: FloatArray, places: FloatArray) -> PlacesBySecond:
-        """Of points at (n, >= 2) places, metres, with their GPS times (n,): those without one are left out, and all where they are none."""
-        known = np.isfinite(times)
-        if not known.any():
-            return cls.empty()
-        whole = np.floor(times[known])
-        first, last = whole.min(), whole.max()
-        if last - first >= MOST_SECONDS:
-            return cls.empty()
-        numbers = (whole - first).astype(np.int64)
-        counts = np.bincount(numbers)
-        sums = np.column_stack([np.bincount(numbers, places[known, axis]) for axis in (0, 1)])
-        occurs = np.flatnonzero(counts)
-        return cls(occurs + int(first), counts[occurs], np.asarray(sums[occurs], dtype=np.float64))
+    def of(cls, times: FloatArray, places: FloatArray, each: int = 1) -> PlacesBySecond:
+        """Of points at (n, >= 2) places, metres, with GPS times (n,); every one stands for ``each`` so many, those without for none."""
+        known = np.isfinite(times) & (np.abs(times) < MOST_TIME)
+        seconds, numbers, counts = np.unique(np.floor(times[known]).astype(np.int64), return_inverse=True, return_counts=True)
+        sums = [np.bincount(numbers, places[known, axis], minlength=len(seconds)) for axis in (0, 1)]
+        return cls(seconds, each * counts, each * np.column_stack(sums).astype(np.float64))
 
     @classmethod
     def merged(cls, parts: Sequence[PlacesBySecond]) -> PlacesBySecond:

@@ -88,8 +88,8 @@ def looked_through(
                 parts = [merged([*parts, Occupancy.of(used, level)]).bounded()]
                 thinning.add(used, sources, np.nan_to_num(seconds))
                 if header.has_time:
-                    some = slice(None, None, 1 + len(used) // TIMED_POINTS)
-                    by_second = PlacesBySecond.merged([by_second, PlacesBySecond.of(seconds[some], used[some])])
+                    each = 1 + len(used) // TIMED_POINTS
+                    by_second = PlacesBySecond.merged([by_second, PlacesBySecond.of(seconds[::each], used[::each], each)])
     scan = Scan(extents[0], -extents[1], extents[2], -extents[3], parts[0], times, np.flatnonzero(occurs), by_second)
     return scan, thinning.means()
 

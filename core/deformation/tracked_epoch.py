@@ -47,6 +47,8 @@ class TrackedEpoch:
         Its targets after the registration; None without control.
     datum
         What its frame hangs on, as field ``datum`` of the result says it.
+    numbered
+        Whether the files number its strips or stations; where they do not these are passes that GPS time tells, parts of one perhaps.
     """
 
     label: str
@@ -59,6 +61,7 @@ class TrackedEpoch:
     drift_variances: FloatArray = field(default_factory=lambda: np.zeros(3))
     targets: TargetShifts | None = None
     datum: str = "cloud"
+    numbered: bool = True
 
     @property
     def placement(self) -> Transformation | None:
@@ -85,9 +88,12 @@ class TrackedEpoch:
         noise
             Standard deviation of a point along the surface normal, metres.
         """
+        assumed = (UNNUMBERED_OFFSET * float(noise)) ** 2
         if set(offsets) == {UNNUMBERED}:
-            return replace(self, offset_variance=(UNNUMBERED_OFFSET * float(noise)) ** 2)
-        return replace(self, offset_variance=mean_offset_variance(list(offsets.values())))
+            return replace(self, offset_variance=assumed)
+        shown = mean_offset_variance(list(offsets.values()))
+        # parts of one strip have its offset in common
+        return replace(self, offset_variance=shown if self.numbered else max(shown, assumed))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -86,6 +86,7 @@ class SegmentJob:
             "tiles_crs": [self.tiles_crs, *sorted({tile.crs for tile in self.block.tiles})],
             "thinned": sorted({(repr(tile.patch), tile.means) for tile in self.block.tiles if tile.thinned}),
             "trimmed": sorted(repr((tile.low, tile.high)) for tile in self.block.tiles if tile.strays),
+            "strips": sorted({repr(tile.strip_starts) for tile in self.block.tiles}),
             "core": [repr(v) for v in (self.block.core.west, self.block.core.south, self.block.core.east, self.block.core.north)],
             "units": repr(self.units),
             "seed": self.seed,

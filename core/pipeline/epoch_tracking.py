@@ -186,6 +186,7 @@ def _tracked_epoch(
         tied_to=None if registration is None or registration.reference is None else labels.index(registration.reference),
         targets=_targets(registration, origin),
         datum="cloud" if registration is None else registration.datum,
+        numbered=not any(tile.strip_starts for tile in epoch.plan.tiles),
     )
 
 

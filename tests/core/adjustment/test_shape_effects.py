@@ -160,6 +160,18 @@ def test_true_cones_are_not_held_to_what_is_customary_of_castings(count: int) ->
         assert (ratios < high).all()
 
 
+def test_one_component_that_is_far_off_says_nothing_of_the_others() -> None:
+    """Legs of a worn series are six times as uneven in radius as is customary; tilts of their ends are as before."""
+    prior = prior_surface(HEIGHT)
+    true = prior.variances.copy()
+    true[COMPONENTS.index("radius")] *= 36
+    ratios = [np.sqrt(estimate_surface(castings(seed, 4, true, np.zeros(CELLS)), HEIGHT, prior).variances / true) for seed in range(6)]
+    typical = np.exp(np.mean(np.log(ratios), axis=0))
+    smooth = slice(0, COMPONENTS.index("patch"))
+    assert (typical[smooth] > 0.6).all()
+    assert (typical[smooth] < 1.4).all()
+
+
 def test_few_units_make_no_mould() -> None:
     few = castings(4, LEAST_MOULD_UNITS - 1, prior_surface(HEIGHT).variances, np.full(CELLS, 0.01))
     assert not estimate_surface(few, HEIGHT, prior_surface(HEIGHT)).mean.any()

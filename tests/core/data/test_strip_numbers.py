@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from tetratrack.core.common.feedback import Feedback
-from tetratrack.core.data.places_by_second import MOST_SECONDS, PlacesBySecond
-from tetratrack.core.data.strip_numbers import LEAST_POINTS, MOST_STRIPS, by_strips, passes
+from tetratrack.core.data.places_by_second import PlacesBySecond
+from tetratrack.core.data.strip_numbers import LEAST_POINTS, MOST_SECONDS, MOST_STRIPS, by_strips, passes
 from tetratrack.core.data.survey_reader import read_survey
-from tetratrack.core.data.tiles import inspect_tile, read_points
+from tetratrack.core.data.tiles import TileInfo, Window, inspect_tile, read_points
+from tetratrack.core.pipeline.block_jobs import SegmentJob
+from tetratrack.core.pipeline.blocks import Block
 from tetratrack.core.pipeline.survey_check import check_survey
 from tetratrack.tests.helpers.las_files import ORIGIN, grid_points, write_las
 
@@ -88,23 +91,71 @@ def test_a_gap_within_a_line_is_no_new_line():
 
 
 def test_stations_are_told_by_the_way_between_them():
-    """A scanner that turns on three stations, minutes apart, shows the same places from each."""
-    rng = np.random.default_rng(6)
-    times = np.concatenate([START + 400 * k + rng.uniform(0, 90, 5000) for k in range(3)])
-    places = np.column_stack([rng.uniform(0, 15, 15000), rng.uniform(0, 5, 15000)])
-    np.testing.assert_allclose(passes(PlacesBySecond.of(times, places)), np.floor(START) + 400 * np.arange(3), atol=1.0)
+    """A scanner turns half around on three stations, minutes apart, and sees 200 m of a wall from each."""
+    turn = np.linspace(-1.4, 1.4, 9000)
+    wall = [np.column_stack([60.0 * k + 18 * np.tan(turn), np.full(len(turn), 18.0)]) for k in range(3)]
+    times = [START + 400 * k + np.linspace(0, 90, len(turn)) for k in range(3)]
+    starts = passes(PlacesBySecond.of(np.concatenate(times), np.vstack(wall)))
+    np.testing.assert_array_equal(starts, np.floor(START) + 400 * np.arange(3))
 
 
 def test_times_that_tell_nothing_leave_tiles_alone(tmp_path):
-    """One line, all points at one time or at none, and times over more days than a survey takes."""
+    """One line; all points at one time, at none or at what nobody wrote; times rounded to half a minute; and one to a point for days."""
     points, times, _ = flown(30.0)
     line = times < START + 35
-    spread = np.linspace(0, 2.0 * MOST_SECONDS, line.sum())
-    for k, own in enumerate((times[line], np.zeros(line.sum()), np.full(line.sum(), np.nan), spread)):
+    count = line.sum()
+    rounded = np.float64(np.float32(times[line] + 40.0 * np.arange(count)))
+    for k, own in enumerate((times[line], np.zeros(count), np.full(count, np.nan), np.full(count, -6.3e66), rounded)):
         tile = inspect_tile(write_las(tmp_path / f"{k}.laz", points[line], time=own), CRS)
         assert by_strips("may", [tile]) == ((tile,), "")
     tile = inspect_tile(write_las(tmp_path / "none.laz", points, point_format=0), CRS)
     assert by_strips("may", [tile]) == ((tile,), "")
+    many = np.arange(MOST_SECONDS + 1)
+    assert not len(passes(PlacesBySecond(many, np.ones(len(many), dtype=np.int64), np.zeros((len(many), 2)))))
+
+
+def test_a_tile_without_times_leaves_all_alone(tmp_path):
+    """Its points are of no pass, and the others' passes would be no strips of theirs."""
+    points, times, _ = flown(30.0)
+    timed = inspect_tile(write_las(tmp_path / "timed.laz", points, time=times), CRS)
+    untimed = inspect_tile(write_las(tmp_path / "untimed.laz", points + np.array([0, 20, 0]), time=np.full(len(points), np.nan)), CRS)
+    assert by_strips("may", [timed, untimed]) == ((timed, untimed), "")
+
+
+def test_times_that_begin_anew_are_other_passes(tmp_path):
+    """Seconds of a week end at midnight of Saturday; what was measured then comes before, in whatever order points lie."""
+    points, times, line = flown(30.0)
+    week = np.where(line == 2, times - START - 60, times - START + 604_700)
+    shuffled = np.random.default_rng(3).permutation(len(points))
+    tile = inspect_tile(write_las(tmp_path / "week.laz", points[shuffled], time=week[shuffled]), CRS)
+    read, said = by_strips("may", [tile])
+    assert "there are 2 passes" in said
+    cloud = read_points(read, CRS)
+    assert set(cloud.source_id[cloud.gps_time > 600_000]) == {2}
+    assert set(cloud.source_id[cloud.gps_time < 600_000]) == {1}
+
+
+def test_means_of_points_have_no_pass_and_it_is_said(tmp_path):
+    """A mean may be of points of several passes."""
+    points, times, _ = flown(30.0)
+    tile = replace(inspect_tile(write_las(tmp_path / "a.laz", points, time=times), CRS), thinned="key")
+    read, said = by_strips("may", [tile])
+    assert "where points are thinned passes cannot be told apart" in said
+    assert read[0].strip_starts == ()
+
+
+def test_a_block_is_not_kept_where_its_points_are_of_other_strips():
+    """Numbers of passes hang on all tiles of the epoch, those of a kept block's points on those of the run before."""
+    core = Window(0, 0, 10, 10)
+    tile = TileInfo(
+        path=Path("a.laz"), points=10, low=(0, 0, 0), high=(9, 9, 3), version="1.4", point_format=6, compressed=True, copc=False, crs="",
+        has_time=True, size=1000, note="",
+    )  # fmt: skip
+    names = set()
+    for starts in (None, (), (5.0, 60.0), (1.0, 5.0, 60.0)):
+        block = Block(epoch="may", column=0, row=0, core=core, tiles=(replace(tile, strip_starts=starts),))
+        names.add(SegmentJob(block=block, survey_crs=CRS, tiles_crs=None, units=(), seed=0, checksums=("x",)).name)
+    assert len(names) == 4
 
 
 @pytest.mark.parametrize("stations", [False, True])

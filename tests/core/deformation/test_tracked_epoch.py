@@ -36,6 +36,16 @@ def test_strips_without_numbers_are_off_by_a_share_of_the_noise() -> None:
     assert shift_sd(epoch) == pytest.approx(0.003)
 
 
+def test_parts_of_one_strip_do_not_make_its_offset_known() -> None:
+    """Passes that GPS time tells may be parts of one strip: equal offsets say nothing of what they have in common."""
+    equal = {number: np.full(3, 1e-5 * number) for number in range(1, 7)}
+    assert EPOCH.with_mean_offset(equal, 0.015).offset_variance < 1e-9
+    by_time = replace(EPOCH, numbered=False)
+    assert by_time.with_mean_offset(equal, 0.015).offset_variance == pytest.approx(0.003**2)
+    far = {1: np.full(3, 0.02), 2: np.full(3, -0.02)}
+    assert by_time.with_mean_offset(far, 0.015).offset_variance == EPOCH.with_mean_offset(far, 0.015).offset_variance
+
+
 def test_a_single_station_is_known_as_well_as_its_targets() -> None:
     epoch = EPOCH.with_mean_offset({7: np.zeros(3)}, 0.015)
     assert epoch.offset_variance == 0
