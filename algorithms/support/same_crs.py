@@ -16,8 +16,10 @@ def same_crs(one: QgsCoordinateReferenceSystem, other: QgsCoordinateReferenceSys
     if one == other or not (one.isValid() and other.isValid()):
         return one == other
     first, second = osr.SpatialReference(), osr.SpatialReference()
-    for made, crs in ((first, one), (second, other)):
-        made.ImportFromWkt(crs.toWkt(Qgis.CrsWktVariant.Preferred))
+    codes = [made.ImportFromWkt(crs.toWkt(Qgis.CrsWktVariant.Preferred)) for made, crs in ((first, one), (second, other))]
+    if any(codes):
+        # two that GDAL cannot read would both be empty
+        return False
     # x is easting in the files of both, whatever the order of axes in the definition
     return bool(first.IsSame(second, ["IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES"]))
 
