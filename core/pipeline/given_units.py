@@ -38,7 +38,7 @@ class GivenUnit(NamedTuple):
 
 
 def place_given(cloud: PointCloud, given: Sequence[GivenUnit], units: Sequence[UnitType]) -> tuple[FloatArray, IntArray]:
-    """Reduced poses of known units, and their points: each point goes to the unit whose surface is nearest.
+    """Reduced poses of known units, and their points: each goes to the unit whose surface is nearest, or to none where it is contested.
 
     Returns
     -------
@@ -48,7 +48,7 @@ def place_given(cloud: PointCloud, given: Sequence[GivenUnit], units: Sequence[U
         (n,) which unit each point of the cloud belongs to, or -1.
     """
     from ..segmentation.aggregation import assign
-    from ..segmentation.segment import LABEL_NOISE, clearance
+    from ..segmentation.segment import clearance, label_window
     from ..segmentation.surface_elements import surface_noise
 
     poses = np.array([unit.pose for unit in given], dtype=np.float64).reshape(-1, 12)
@@ -60,8 +60,8 @@ def place_given(cloud: PointCloud, given: Sequence[GivenUnit], units: Sequence[U
         unit = units[kind]
         members = np.flatnonzero(kinds == kind)
         noise = surface_noise(cloud.xyz, unit.height) if len(cloud) >= 50 else 0.0
-        window = max(LABEL_NOISE * noise, 0.02 * unit.height)
-        own, distance = assign(cloud.xyz, poses[members], unit, window, clearance=clearance(noise, unit.height))
+        window, kept_clear = label_window(noise, unit.height), clearance(noise, unit.height)
+        own, distance = assign(cloud.xyz, poses[members], unit, window, clearance=kept_clear)
         nearer = (own >= 0) & (np.abs(distance) < best)
         labels[nearer], best[nearer] = members[own[nearer]], np.abs(distance[nearer])
     return poses, labels

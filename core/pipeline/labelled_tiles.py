@@ -27,21 +27,20 @@ from ..results.run_record import epochs_of
 from ..results.unit_rows import unit_sizes
 from ..results.unit_sizes import unit_of
 from ..segmentation.aggregation import assign
-from ..segmentation.segment import LABEL_NOISE
+from ..segmentation.segment import clearance, label_window
 from .epoch_plans import plan_survey
 from .placed_points import Placing, placing
 
 Transform = Callable[[FloatArray], FloatArray]
 
 DIMENSION = "unit_id"
-NEAR_SURFACE_HEIGHTS = 0.02
-"""A point is the unit's whose surface is nearest, if nearer than this share of the height, or than noise puts points beside it."""
 
 
 def write_labelled_tiles(survey: Survey, result: Path, folder: Path, feedback: Feedback) -> dict[str, Any]:
     """Write every tile of a survey to ``folder``/epoch/ as LAZ with dimension ``unit_id``, and nothing else changed.
 
-    The dimension holds the number in the unit's id (17 for U0017) of the units found in that epoch, 0 for points of none.
+    The dimension holds the number in the unit's id (17 for U0017) of the units found in that epoch, 0 for points of none and
+    for those between two units that either may have.
 
     Raises
     ------
@@ -97,7 +96,10 @@ def _numbers_of(
 
 
 def points_of_units(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> NDArray[np.uint32]:
-    """(n,) number of the unit of each of (n, 3) points of the control frame, metres, 0 for none; rows of units by their type."""
+    """(n,) number of the unit of each of (n, 3) points of the control frame, metres, 0 for none; rows of units by their type.
+
+    As in a run, points that may as well be a neighbour's are of none.
+    """
     numbers = np.zeros(len(points), dtype=np.uint32)
     if not len(points):
         return numbers
@@ -106,7 +108,9 @@ def points_of_units(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> 
     for unit, members in sorted(units.items(), key=lambda item: astuple(item[0])):
         poses = [Pose.from_quaternion(row["geom"] - origin, [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in members]
         table = np.array([pose.as_row() for pose in poses])
-        labels, distance = assign(points - origin, table, unit, _window(members, unit))
+        noise = _noise(members)
+        window, kept_clear = label_window(noise, unit.height), clearance(noise, unit.height)
+        labels, distance = assign(points - origin, table, unit, window, clearance=kept_clear)
         nearer = (labels >= 0) & (np.abs(distance) < nearest)
         nearest[nearer] = np.abs(distance[nearer])
         ids = np.array([_number_of(row["unit_id"]) for row in members], dtype=np.uint32)
@@ -114,11 +118,10 @@ def points_of_units(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> 
     return numbers
 
 
-def _window(members: Sequence[Row], unit: UnitType) -> float:
-    """Distance from a surface, metres, up to which points of a cloud as noisy as that of these units are taken for theirs, as in a run."""
+def _noise(members: Sequence[Row]) -> float:
+    """Standard deviation of a point in the cloud of these units, metres; 0 where the result does not tell."""
     medians = [row["distance_median"] for row in members if row["distance_median"] is not None]
-    noise = MAD_TO_SD * float(np.median(medians)) if medians else 0.0
-    return max(NEAR_SURFACE_HEIGHTS * unit.height, LABEL_NOISE * noise)
+    return MAD_TO_SD * float(np.median(medians)) if medians else 0.0
 
 
 def _number_of(unit_id: str) -> int:

@@ -54,6 +54,8 @@ LABEL_NOISE, LABEL_TOLERANCES, MOST_LABEL_RATIO = 3.5, 2.0, 0.05
 """Points are a unit's up to this multiple of the noise from its surface, and up to this multiple of the tolerance of its elements where
 that stays below this share of the height: roughness and offsets of strips are small, and in noisy clouds a wider window only takes in
 what is of other surfaces."""
+NEAR_SURFACE_RATIO = 0.02
+"""Share of the height that takes the place of the tolerance where none is known."""
 LISTED_EVIDENCE, LISTED_SCORE = 0.2, 0.05
 """Poses of less evidence are chance alignments of rock, wall and water; where the evidence is good but the twist about a leg is open, the
 score may be lower still. What is below either is not reported at all."""
@@ -367,7 +369,7 @@ def _stated(points: FloatArray, judged: JudgedPoses, unit: UnitType) -> Segmenta
         )
         for k, pose in zip(kept, stated, strict=True)
     )
-    window = max(LABEL_NOISE * elements.noise, min(LABEL_TOLERANCES * tolerance, MOST_LABEL_RATIO * unit.height))
+    window = label_window(elements.noise, unit.height, tolerance)
     labels = np.full(len(points), -1, dtype=np.int64)
     labels[judged.kept], _ = assign(points[judged.kept], stated, unit, window, clearance=clearance(elements.noise, unit.height))
     return Segmentation(units=units, labels=labels, spacing=elements.spacing, noise=elements.noise, tolerance=tolerance)
@@ -402,3 +404,19 @@ def fewest_found_cells(seen: Evidence, scores: FloatArray, typical: TypicalUnit)
 def clearance(noise: float, height: float) -> float:
     """Distance in metres of another unit's surface within which points are left out, from the noise of a point and the unit's height."""
     return min(CLEARANCE_IN_NOISE * noise, MOST_CLEARANCE * height)
+
+
+def label_window(noise: float, height: float, tolerance: float | None = None) -> float:
+    """Distance in metres from a unit's surface up to which points are taken for its own.
+
+    Parameters
+    ----------
+    noise
+        Of a point, metres.
+    height
+        Of the unit, metres.
+    tolerance
+        Of a cloud's elements, metres; None for units that were found before, whose elements are not known.
+    """
+    rough = NEAR_SURFACE_RATIO * height if tolerance is None else min(LABEL_TOLERANCES * tolerance, MOST_LABEL_RATIO * height)
+    return max(LABEL_NOISE * noise, rough)

@@ -18,7 +18,7 @@ from tetratrack.core.common.errors import InputError
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.las_files import checksum
 from tetratrack.core.data.survey_reader import read_survey
-from tetratrack.core.model.tetrapod import sample_surface
+from tetratrack.core.model.tetrapod import relate, sample_surface
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.pipeline.labelled_tiles import points_of_units, write_labelled_tiles
 from tetratrack.core.pipeline.refit import index_unit_points
@@ -75,6 +75,20 @@ def test_points_of_a_noisy_cloud_are_labelled_as_far_as_noise_puts_them():
     row = {"geom": np.zeros(3), "qx": 0.0, "qy": 0.0, "qz": 0.0, "qw": 1.0, "unit_id": "U0007", "distance_median": noise / 1.4826}
     assert np.mean(points_of_units(points, {unit: [row]}) == 7) > 0.98
     assert np.mean(points_of_units(points, {unit: [row | {"distance_median": None}]}) == 7) < 0.6, "of an earlier version"
+
+
+def test_points_that_may_be_the_neighbours_are_of_none():
+    """Where two units all but touch, the nearer one would take points that noise moved towards it; a run leaves them out."""
+    rng, unit, noise = np.random.default_rng(3), UnitType.tetrapod(2.3), 0.02
+    apart = np.array([2.2, 0.0, 0.0])
+    exact, normals, _ = sample_surface(unit, 20_000, rng)
+    points = exact + rng.normal(0, noise, len(exact))[:, None] * normals
+    row = {"qx": 0.0, "qy": 0.0, "qz": 0.0, "qw": 1.0, "distance_median": noise / 1.4826}
+    rows = [row | {"geom": np.zeros(3), "unit_id": "U0007"}, row | {"geom": apart, "unit_id": "U0008"}]
+    numbers, gap = points_of_units(points, {unit: rows}), relate(exact - apart, unit).distance
+    assert np.sum(gap < 1.5 * noise) > 20
+    assert not numbers[gap < 1.5 * noise].any()
+    assert np.mean(numbers[gap > 0.2] == 7) > 0.99
 
 
 def test_points_are_labelled_less_the_offsets_of_their_strips(tiny: Path, result: Path, tmp_path: Path):
