@@ -234,6 +234,36 @@ def ground_scale(survey_crs: str, easting: float, northing: float) -> tuple[floa
     return *scales, f"EPSG:{(32600 if latitude >= 0 else 32700) + zone}"
 
 
+def place_in_use(survey_crs: str, easting: float, northing: float) -> tuple[float, float]:
+    """A place in metres where it lies in the area of use of a survey's CRS, else that area's middle, to a kilometre.
+
+    It stays in a LOCAL frame, and in a CRS that states no area.
+    """
+    if survey_crs == LOCAL:
+        return easting, northing
+    from pyproj import Transformer
+    from pyproj.exceptions import ProjError
+
+    crs = parse_crs(survey_crs)
+    flat = _horizontal(crs)
+    area = crs.area_of_use or flat.area_of_use
+    if area is None:
+        return easting, northing
+    # from the west to the east, across the date line, too
+    width = (area.east - area.west) % 360 or 360.0
+    on_earth = Transformer.from_crs(flat, "EPSG:4326", always_xy=True)
+    try:
+        longitude, latitude = on_earth.transform(easting, northing, errcheck=True)
+        if (longitude - area.west) % 360 <= width and area.south <= latitude <= area.north:
+            return easting, northing
+    except ProjError:
+        # no place on the earth has these coordinates
+        pass
+    middle = (area.west + width / 2 + 180) % 360 - 180, (area.south + area.north) / 2
+    east, north = on_earth.transform(*middle, direction="INVERSE", errcheck=True)
+    return round(float(east), -3), round(float(north), -3)
+
+
 def neighbouring_zones(survey_crs: str) -> tuple[str, ...]:
     """Codes of the UTM zones beside a UTM zone of WGS 84; none for any other CRS."""
     code = "" if survey_crs == LOCAL else _code(_horizontal(parse_crs(survey_crs)))

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from datetime import date
 
 from ..common.errors import InputError
+from ..data.crs import check_survey_crs, place_in_use
 from ..model.unit_types import Opening, UnitType
 from .armour_pile import Changes
 from .bent_frames import RIGID, FrameErrors
@@ -183,6 +184,8 @@ def plan_of(
 ) -> SimulationPlan:
     """Plan for one instrument with a place and numbers that suit it: a breakwater, or models on a table for the depth camera.
 
+    The breakwater lies where others do unless its CRS is not for use there; then it lies in the middle of the area that the CRS is for.
+
     Raises
     ------
     InputError
@@ -194,7 +197,12 @@ def plan_of(
         name, "depth_camera", 4, LABORATORY_HEIGHT, crs="LOCAL", origin=(1.0, 1.8, 0.75), azimuth_deg=0.0, tiles=(2, 1),
         first_day=date(2025, 2, 10),
     )  # fmt: skip
-    base = laboratory if instrument == "depth_camera" else SimulationPlan(name, instrument, crs=crs)
+    if instrument == "depth_camera":
+        base = laboratory
+    else:
+        check_survey_crs(crs, where="crs")
+        easting, northing, height = SimulationPlan.origin
+        base = SimulationPlan(name, instrument, crs=crs, origin=(*place_in_use(crs, easting, northing), height))
     if unit is not None:
         base = replace(
             base, height=unit.height, radius=unit.radius, gradient=unit.gradient, leg_length=unit.leg_length, opening=unit.opening

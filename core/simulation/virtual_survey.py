@@ -8,8 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ..common.errors import CrsError, OutputError
-from ..data.crs import check_survey_crs, ground_scale
-from ..data.plausibility import MOST_SCALE_ERROR
+from ..data.crs import check_survey_crs
+from ..data.plausibility import Place, check_scale
 from .coast import CoastSimulation
 from .survey_plan import SimulationPlan
 from .survey_simulation import Simulation
@@ -41,7 +41,7 @@ def simulate_survey(plan: SimulationPlan, folder: Path, progress: Callable[[floa
     report = progress or (lambda fraction, message: None)
     if folder.exists():
         raise OutputError("exists already", source=folder, remedy="Choose another folder, or remove it.")
-    _vet_crs(plan)
+    _vet_crs(plan, folder)
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         work = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=folder.parent))
@@ -60,12 +60,11 @@ def simulate_survey(plan: SimulationPlan, folder: Path, progress: Callable[[floa
     return folder / "survey.toml"
 
 
-def _vet_crs(plan: SimulationPlan) -> None:
+def _vet_crs(plan: SimulationPlan, folder: Path) -> None:
     """Refuse what a run would refuse of the survey."""
     for name in (plan.crs, plan.las_crs or plan.crs):
         check_survey_crs(name, where="crs")
-    scales = ground_scale(plan.crs, plan.origin[0], plan.origin[1])
-    if scales is not None and max(abs(scale - 1) for scale in scales[:2]) > MOST_SCALE_ERROR:
-        raise CrsError(
-            f"{plan.crs} is no measure on the ground at the site", where="crs", remedy=f"Give the grid there, such as {scales[2]}."
-        )
+    try:
+        check_scale(plan.crs, Place(plan.origin, plan.origin, plan.crs, plan.height), source=folder)
+    except CrsError as error:
+        raise CrsError(error.problem, where="crs", remedy="Give the grid of a country, or a UTM zone.") from error

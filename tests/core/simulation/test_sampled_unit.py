@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 from tetratrack.core.common.errors import CrsError, InputError, OutputError
+from tetratrack.core.data.plausibility import Place, check_scale
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.model.pose import Pose
 from tetratrack.core.model.tetrapod import relate, sample_surface
@@ -104,11 +105,22 @@ def test_an_existing_folder_or_a_crs_that_a_run_refuses_is_refused(tmp_path: Pat
 
     with pytest.raises(OutputError, match="exists"):
         simulate_survey(SimulationPlan("x", units=0), tmp_path)
-    refused = {"EPSG:4326": "geographic", "EPSG:2227": "foot", "EPSG:2053": "west", "EPSG:3857": "no measure on the ground"}
+    refused = {"EPSG:4326": "geographic", "EPSG:2227": "foot", "EPSG:2053": "west", "EPSG:3857": "1.154 m in crs"}
     for crs, said in refused.items():
         with pytest.raises(CrsError, match=said):
             simulate_survey(SimulationPlan("x", units=0, crs=crs), tmp_path / "new")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("crs", "place"),
+    [("EPSG:28992", (143_000, 471_000)), ("EPSG:2193", (1_558_000, 5_493_000)), ("EPSG:32750", (500_000, 3_500_000))],
+)
+def test_the_site_lies_where_its_grid_is_for_use(crs: str, place: tuple[int, int]):
+    """One place for all was none that a national grid can measure."""
+    plan = plan_of("uav", "x", units=0, crs=crs)
+    assert plan.origin[:2] == place
+    check_scale(crs, Place(plan.origin, plan.origin, crs, plan.height), source=Path("survey.toml"))
 
 
 def test_a_table_without_models_can_be_simulated(tmp_path: Path) -> None:
