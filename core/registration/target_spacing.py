@@ -20,6 +20,10 @@ STATIONS = 9
 FREE = 10.0
 CLOSEST = 2.0
 """Least spacing that is considered, metres: nearer stations are one."""
+LEAST_TARGET_SD, LEAST_STATION_SD = 1e-6, 1e-5
+"""Metres; nobody measures a target better than the first, nor are all of a station together better known than the second."""
+LONGEST = 1e6
+"""Metres; no structure is longer."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,7 +53,7 @@ class BentSurvey:
     targets: int = 3
 
     def __post_init__(self) -> None:
-        for field, least in (("bend", 0.0), ("correlation_length", 1e-3), ("target_sd", 0.0), ("targets", 1)):
+        for field, least in (("bend", 0.0), ("correlation_length", 1e-3), ("target_sd", LEAST_TARGET_SD), ("targets", 1)):
             value = getattr(self, field)
             if not least <= value < math.inf:
                 raise InputError(f"{field} must be a number of {least:g} or more, got {value!r}", where=field, remedy="Correct the number.")
@@ -61,10 +65,12 @@ class BentSurvey:
 
     def _variance(self, places: FloatArray, where: float) -> float:
         # a shift and a slope stay of the rigid registration
-        drift = np.column_stack([np.ones(len(places)), places]) * [FREE, FREE / 1000]
-        own = np.array([1.0, where]) * [FREE, FREE / 1000]
+        free = [FREE, FREE / max(1000.0, float(np.abs(places).max()))]
+        drift = np.column_stack([np.ones(len(places)), places]) * free
+        own = np.array([1.0, where]) * free
+        station_sd = max(self.target_sd / math.sqrt(self.targets), LEAST_STATION_SD)
         apart = np.abs(places[:, None] - places[None]) / self.correlation_length
-        covariance = self.bend**2 * matern(apart, 2.5) + drift @ drift.T + np.eye(len(places)) * self.target_sd**2 / self.targets
+        covariance = self.bend**2 * matern(apart, 2.5) + drift @ drift.T + np.eye(len(places)) * station_sd**2
         cross = self.bend**2 * matern(np.abs(places - where) / self.correlation_length, 2.5) + drift @ own
         return max(float(self.bend**2 + own @ own - cross @ np.linalg.solve(covariance, cross)), 0.0)
 
@@ -101,10 +107,14 @@ def stations_for(survey: BentSurvey, limit: float, length: float) -> tuple[int, 
     Raises
     ------
     InputError
-        The length is none, or no spacing keeps the limit.
+        The length is none that a structure has, or no spacing keeps the limit.
     """
-    if not 0 < length < math.inf:
-        raise InputError(f"a structure of {length!r} m has no stations", where="length", remedy="Give its length in metres.")
+    if not 0 < length <= LONGEST:
+        raise InputError(
+            f"a structure of {length!r} m has no stations",
+            where="length",
+            remedy=f"Give its length in metres, at most {LONGEST / 1000:.0f} km.",
+        )
     spacing = survey.spacing_for(limit, length)
     count = max(2, math.ceil(length / spacing) + 1)
     return count, length / (count - 1)

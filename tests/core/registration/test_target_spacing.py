@@ -49,7 +49,8 @@ def test_a_limit_below_the_targets_own_is_refused() -> None:
 
 
 @pytest.mark.parametrize(
-    "numbers", [{"correlation_length": 0.0}, {"bend": math.nan}, {"bend": -0.03}, {"target_sd": math.inf}, {"targets": 0}]
+    "numbers",
+    [{"correlation_length": 0.0}, {"bend": math.nan}, {"bend": -0.03}, {"target_sd": math.inf}, {"target_sd": 0.0}, {"targets": 0}],
 )
 def test_numbers_of_no_survey_are_refused(numbers: dict[str, float]) -> None:
     """They came out as stations every two metres, with a detection limit that is no number."""
@@ -58,7 +59,15 @@ def test_numbers_of_no_survey_are_refused(numbers: dict[str, float]) -> None:
     assert caught.value.where in numbers
 
 
-@pytest.mark.parametrize("length", [-300.0, math.nan, math.inf])
+@pytest.mark.parametrize("length", [-300.0, math.nan, math.inf, 1e12])
 def test_lengths_of_no_structure_are_refused(length: float) -> None:
     with pytest.raises(InputError, match="has no stations"):
         stations_for(BentSurvey(), 0.05, length)
+
+
+@pytest.mark.parametrize(("sd", "targets"), [(0.006, 1000), (1e-4, 3)])
+def test_without_a_bend_what_is_unknown_is_the_same_at_any_distance(sd: float, targets: int) -> None:
+    """Long spacings and good targets ended with a singular matrix."""
+    survey = BentSurvey(bend=0.0, target_sd=sd, targets=targets)
+    assert [survey.unknown(spacing) for spacing in (100.0, 1e4, 1e6)] == pytest.approx([survey.unknown(10.0)] * 3, rel=0.03)
+    assert stations_for(survey, 0.05, 1e6) == (2, 1e6)
