@@ -24,6 +24,8 @@ LIBRARIES = (f"{CORE}.pipeline.block_jobs", f"{CORE}.segmentation.segment", f"{C
 """What the first jobs of a run import."""
 WHOLE_RUN = f"{CORE}.pipeline.whole_survey"
 """What imports nearly all that this process and later jobs need."""
+MOST_IDLE_COPIES = 2
+"""Copies are all made at once: so many without work yet are worth that libraries are loaded once."""
 
 
 class LocalProcesses:
@@ -58,7 +60,8 @@ class LocalProcesses:
     def start(self, jobs: int) -> None:
         """Have as many of them as will have work load what that needs while the caller does other work; none where jobs run here.
 
-        Where they may be copies of this process, it loads that itself, once for all.
+        Where they may be copies of this process, it loads that itself, once for all; of copies those without work yet start, too, so that
+        none are made where these would be more than two.
 
         Parameters
         ----------
@@ -73,7 +76,8 @@ class LocalProcesses:
         if min(self.count, jobs) < 2 or self._pool is not None:
             return
         # where numba is loaded, something has been computed already, on threads perhaps
-        if self._forked and "numba" not in sys.modules and _may_be_copied():
+        few = self.count <= jobs + MOST_IDLE_COPIES
+        if self._forked and few and "numba" not in sys.modules and _may_be_copied():
             import_module(WHOLE_RUN)
             _load_libraries()
             if _may_be_copied():
@@ -135,8 +139,14 @@ def processes_for(workers: int, scheduler: str | None, *, forked: bool = False) 
 
 def _may_be_copied() -> bool:
     """Whether copies of this process can work: they lack its other threads, and what these have locked stays locked."""
-    watches = sum(thread.name == PARENT_WATCH for thread in threading.enumerate())
-    return sys.platform.startswith("linux") and len(os.listdir("/proc/self/task")) == 1 + watches
+    if not sys.platform.startswith("linux"):
+        return False
+    try:
+        threads = len(os.listdir("/proc/self/task"))
+    except OSError:
+        # a container without /proc does not tell
+        return False
+    return threads == 1 + sum(thread.name == PARENT_WATCH for thread in threading.enumerate())
 
 
 def _start_as_copy(parent: int, from_main_thread: bool) -> None:
@@ -147,7 +157,10 @@ def _start_as_copy(parent: int, from_main_thread: bool) -> None:
     start_as_worker(parent, from_main_thread)
     # numba, which states no types, read its number of threads when the parent loaded it
     config: Any = numba.config
+    # the folder of compiled code is settled already, and the environment may name one that was refused
+    folder = config.CACHE_DIR
     config.reload_config()
+    config.CACHE_DIR = folder
     numba.set_num_threads(config.NUMBA_NUM_THREADS)
 
 

@@ -221,16 +221,53 @@ if __name__ == "__main__":
         processes.kill()
         print(processes.submitted([(eval, questions[0])])[0].result(), os.cpu_count())
 """
-    said = subprocess.run(
-        [sys.executable, "-c", code],
-        env=os.environ | dict.fromkeys(LINEAR_ALGEBRA, "1"),
-        capture_output=True,
-        encoding="utf-8",
-        check=True,
-    ).stdout.split()
+    said = _said_by(code).split()
     assert said[:3] == [str(copied), "True", "True"]
     assert said[3] == str(max(1, int(said[5]) // 2))
     assert said[4] == "False"
+
+
+def _said_by(code: str, **environment: str) -> str:
+    """What a fresh process prints."""
+    own = os.environ | dict.fromkeys(LINEAR_ALGEBRA, "1") | environment
+    return subprocess.run([sys.executable, "-c", code], env=own, capture_output=True, encoding="utf-8", check=True).stdout.strip()
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="processes are copied on Linux alone")
+def test_copies_are_made_where_few_of_them_would_be_idle() -> None:
+    """An executor makes all its copies at the first call: 24 for two epochs. Without /proc nothing tells whether copies can be made."""
+    code = """
+import os
+from types import SimpleNamespace
+from tetratrack.core.pipeline import local_processes
+idle, opened = SimpleNamespace(submit=lambda *_: None, shutdown=lambda **_: None), []
+local_processes.LocalProcesses._opened = lambda self, method, first_act: opened.append(method) or idle
+local_processes.import_module, local_processes._load_libraries = (lambda _: None), (lambda: None)
+def start(count):
+    with local_processes.LocalProcesses(count, forked=True) as processes:
+        processes.start(2)
+def no_such_folder(folder):
+    raise FileNotFoundError(folder)
+start(4)
+start(24)
+os.listdir = no_such_folder
+start(4)
+print(*opened)
+"""
+    assert _said_by(code) == "fork spawn spawn"
+
+
+def test_a_copy_keeps_the_folder_of_compiled_code(tmp_path: Path) -> None:
+    """Where its parent had refused the one that the environment names, because others can write to it, a copy used it."""
+    code = """
+import numba, os
+from tetratrack.core.pipeline import local_processes
+local_processes.start_as_worker = lambda *_: None
+numba.config.CACHE_DIR, os.environ["NUMBA_NUM_THREADS"] = "", "1"
+local_processes._start_as_copy(0, True)
+print(repr(numba.config.CACHE_DIR))
+"""
+    assert _said_by(code, NUMBA_CACHE_DIR=str(tmp_path)) == "''"
 
 
 @pytest.mark.parametrize(("workers", "scheduler", "count"), [(3, None, 3), (0, None, os.cpu_count()), (3, "tcp://host:8786", 1)])
