@@ -53,6 +53,8 @@ class FoundTable:
         Its first coordinate is the northing.
     sds
         It states standard deviations.
+    changes
+        How its numbers differ from metres with easting first, in words.
     reason
         What told all this, as a comment.
     """
@@ -64,6 +66,7 @@ class FoundTable:
     unit: str
     swapped: bool
     sds: bool
+    changes: tuple[str, ...]
     reason: str
 
 
@@ -158,17 +161,15 @@ def _recognised(path: Path, extent: Extent, local: bool) -> FoundTable | str:
     unit, swapped = placed
     name = columns.get("point_id")
     points = frozenset(fields[name].strip() for _, fields in table.rows if name is not None and name < len(fields))
-    changes = [
-        text
-        for condition, text in (
-            (table.decimal_commas, "decimal commas"),
-            (swapped, "northing before easting"),
-            (unit != "m", "feet" if unit == "ft" else "US survey feet"),
-        )
-        if condition
-    ]
-    reason = "columns and place" + (f"; {', '.join(changes)}" if changes else "")
-    return FoundTable(path, role, _date(path), points, unit, swapped, "sd_e" in columns, reason)
+    changes = ["northing before easting"] if swapped else []
+    if unit != "m":
+        changes.append("feet" if unit == "ft" else "US survey feet")
+    # a run reads decimal commas as they are
+    told = ", ".join(["decimal commas", *changes] if table.decimal_commas else changes)
+    reason = "columns and place" + (f"; {told}" if told else "")
+    return FoundTable(
+        path, role, _date(path), points, unit=unit, swapped=swapped, sds="sd_e" in columns, changes=tuple(changes), reason=reason
+    )
 
 
 def _date(path: Path) -> NamedDate | None:

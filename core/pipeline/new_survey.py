@@ -196,14 +196,9 @@ def _scale_question(tiles: Sequence[FoundTile], crs: str) -> list[str]:
 def _targets_question(tables: Mapping[Role, FoundTable]) -> list[str]:
     """What to ask of targets that a run refuses: no key of survey.toml turns them, as ``control_unit`` and ``control_axes`` do control."""
     targets = tables.get("targets")
-    if targets is None or (targets.unit == "m" and not targets.swapped):
+    if targets is None or not targets.changes:
         return []
-    return [f"{targets.path.name} holds targets otherwise than the tiles ({_changes(targets)}): write them as x,y,z in metres"]
-
-
-def _changes(table: FoundTable) -> str:
-    """How a table's numbers differ from metres with easting first."""
-    return table.reason.partition("; ")[2]
+    return [f"{targets.path.name} holds targets otherwise than the tiles ({', '.join(targets.changes)}): write them as x,y,z in metres"]
 
 
 def _epoch_warnings(epochs: Sequence[FoundEpoch]) -> list[str]:
@@ -280,10 +275,11 @@ def _epoch(found: FoundEpoch, mine: Mapping[Role, FoundTable], tiles_crs: str | 
         path = (control or targets).path  # type: ignore[union-attr]
         comments.append(f"{path.name} looks like {one}; it is used together with {other}, which were not found")
     check = mine.get("check")
-    if check is not None and not check.swapped and check.unit == "m":
+    if check is not None and not check.changes:
         values["check"], reasons["check"] = check.path, check.reason
     elif check is not None:
-        comments.append(f"{check.path.name} looks like check points ({_changes(check)}): write it in metres, easting first, to use it")
+        changes = ", ".join(check.changes)
+        comments.append(f"{check.path.name} looks like check points ({changes}): write it in metres, easting first, to use it")
     for role in ("trajectory", "stations"):
         if role in mine:
             comments.append(f"{mine[role].path.name} looks like {role}: add {role}, range_sd and angle_sd (from the data sheet) to use it")

@@ -49,13 +49,16 @@ def test_everything_that_the_files_of_a_survey_say(tmp_path: Path) -> None:
 
 
 def test_check_points_that_a_run_cannot_read_are_named(tmp_path: Path) -> None:
-    """Northing before easting, or feet: no key of survey.toml turns them, and they were left out without a word."""
+    """Northing before easting, or feet: no key of survey.toml turns them, and they were left out without a word.
+
+    Decimal commas can be read.
+    """
     shutil.copytree(TINY, tmp_path / "site")
     (tmp_path / "site" / "survey.toml").unlink()
     table = tmp_path / "site" / "check_2024-04-09.csv"
     head, *rows = (line.split(",") for line in table.read_text(encoding="utf-8").splitlines())
     turned = [head, *([r[0], r[2], r[1], r[3], r[5], r[4], *r[6:]] for r in rows)]
-    table.write_text("\n".join(map(",".join, turned)), encoding="utf-8")
+    table.write_text("\n".join(map(";".join, turned)).replace(".", ","), encoding="utf-8")
     text, _ = _init(tmp_path / "site", "--height", 2.3)
     assert "check_2024-04-09.csv looks like check points (northing before easting)" in text
     assert 'check_2024-04-09.csv"' not in text

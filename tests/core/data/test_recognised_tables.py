@@ -51,6 +51,7 @@ def test_decimal_commas_and_other_names(tmp_path: Path) -> None:
     (table,), _ = recognise(paths, EXTENT)
     assert (table.role, table.swapped, table.unit, table.sds) == ("control", False, "m", False)
     assert "decimal commas" in table.reason
+    assert table.changes == ()
     points = read_control(table.path, sd=0.005)
     assert points.ids == ("T1", "T2")
     np.testing.assert_allclose(points.coordinates[0], [500001.5, 3500002.25, 4.5])
