@@ -121,15 +121,33 @@ def test_text_is_never_in_the_systems_code_page() -> None:
 
 
 def test_processes_are_spawned_everywhere() -> None:
+    """But for the first workers of a run, where the process may be copied."""
     for path in SHIPPED:
-        tree = ast.parse(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        tree = ast.parse(text)
+        copies = path == ROOT / "core/pipeline/local_processes.py"
+        assert copies or not forks(tree), path
         for node in ast.walk(tree):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name | ast.Attribute):
                 called = ast.unparse(node.func)
                 if called.split(".")[-1] == "get_context":
-                    assert [ast.literal_eval(argument) for argument in node.args] == ["spawn"], path
+                    arguments = [ast.unparse(argument) for argument in node.args]
+                    assert arguments == ["method" if copies else "'spawn'"], path
                 elif called.split(".")[-1] in FORKING and ("multiprocessing" in called or "futures" in called or called in FORKING):
-                    assert 'get_context("spawn")' in path.read_text(encoding="utf-8"), path
+                    assert "get_context(method)" in text if copies else 'get_context("spawn")' in text, path
+
+
+def test_only_a_process_that_may_be_copied_is() -> None:
+    tree = ast.parse((ROOT / "core/pipeline/local_processes.py").read_text(encoding="utf-8"))
+    asked = [node for node in ast.walk(tree) if isinstance(node, ast.If) and "_may_be_copied()" in ast.unparse(node.test)]
+    within = {constant for node in asked for statement in node.body for constant in forks(statement)}
+    assert within
+    assert set(forks(tree)) == within
+
+
+def forks(tree: ast.AST) -> list[ast.Constant]:
+    """Where the name of a way to copy a process stands."""
+    return [node for node in ast.walk(tree) if isinstance(node, ast.Constant) and node.value in ("fork", "forkserver")]
 
 
 @pytest.mark.parametrize(

@@ -98,7 +98,7 @@ def displacement_map(rows: Sequence[UnitRow], shapes: dict[str, PlacedShape], re
     if len(arrows.starts):
         _draw_arrows(axes, arrows)
         title = _("arrows: significant horizontal displacements, enlarged {scale} times").format(scale=f"{arrows.times:g}")
-        axes.set_title("; ".join([title, *([_("dashed: cut short")] if arrows.cut.any() else [])]), fontsize=8)
+        axes.set_title("\n".join([title, *([_("dashed: cut short")] if arrows.cut.any() else [])]), fontsize=8)
     map_frame(axes, _)
     bar = figure.colorbar(patches, ax=axes, shrink=0.8, extend="max")
     bar.set_label(_("3D displacement (cm)"), fontsize=8)
