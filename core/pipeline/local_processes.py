@@ -81,6 +81,10 @@ class LocalProcesses:
             import_module(WHOLE_RUN)
             _load_libraries()
             if _may_be_copied():
+                from multiprocessing import resource_tracker
+
+                # one for all of them: a copy that needs it would start its own
+                resource_tracker.ensure_running()
                 self._pool = self._opened("fork", _start_as_copy)
         self.submitted([(_load_libraries,)] * min(self.count, jobs))
 
