@@ -84,7 +84,8 @@ class LocalProcesses:
                 from multiprocessing import resource_tracker
 
                 # one for all of them: a copy that needs it would start its own
-                resource_tracker.ensure_running()
+                with _interrupts_held(), _worker_environment(1):
+                    resource_tracker.ensure_running()
                 self._pool = self._opened("fork", _start_as_copy)
         self.submitted([(_load_libraries,)] * min(self.count, jobs))
 
