@@ -13,8 +13,8 @@ import numpy as np
 from ..common.arrays import FloatArray
 from ..common.axis import Axis, parse_axis
 from ..common.centreline import ARM_HEIGHTS, centreline
-from ..common.errors import InputError, OutputError
-from ..common.output_files import check_targets
+from ..common.errors import InputError
+from ..common.output_files import check_ending, check_targets
 from ..results.comparison_layers import PLAN_LAYERS, PROFILE_LAYERS, SECTION_LAYERS
 from ..results.field_checks import foreign_contents
 from ..results.frame_heights import FrameHeights
@@ -256,8 +256,7 @@ def write_profiles(result: Path, output: Path, *, axis: FloatArray | None = None
 
 
 def _check(output: Path, result: Path, sources: Sequence[str], layers: Sequence[Layer]) -> None:
-    if output.suffix.lower() != ".gpkg":
-        raise OutputError("cannot be written in that form", source=output, remedy="End the name in .gpkg.")
+    check_ending(output, (".gpkg",))
     check_targets([(output, "the comparison")], [result, *(split_source(source)[0] for source in sources if source)])
     check_beside(output, layers)
 

@@ -11,7 +11,7 @@ import numpy as np
 from ..common.arrays import FloatArray, IntArray
 from ..common.atomic_files import write_whole
 from ..common.errors import InputError, OutputError
-from ..common.output_files import check_own, check_targets
+from ..common.output_files import check_ending, check_own, check_targets
 from ..data.crs import LOCAL, parse_crs
 from ..model.tetrapod import distance_to_surface
 from ..review.point_index import index_of
@@ -53,8 +53,7 @@ def write_residual_cloud(result: Path, output: Path, epoch: str | None = None) -
     OutputError
         The file cannot be written, or is another one than an earlier output of this kind.
     """
-    if output.suffix.lower() not in (".laz", ".las"):
-        raise OutputError("cannot be written in that form", source=output, remedy="End the name in .laz or .las.")
+    check_ending(output, (".laz", ".las"))
     if not output.parent.is_dir():
         raise OutputError("cannot be written (its folder does not exist)", source=output, remedy="Choose a folder that exists.")
     check_targets([(output, "the points")], [result])

@@ -46,6 +46,18 @@ def check_targets(targets: Iterable[tuple[Path, str]], inputs: Iterable[Path] = 
         made[name] = origin
 
 
+def check_ending(target: Path, endings: tuple[str, ...]) -> None:
+    """Refuse a name without one of the ``endings`` of the only forms in which a file is written, in capitals or not.
+
+    Raises
+    ------
+    OutputError
+        Before anything is written.
+    """
+    if target.suffix.lower() not in endings:
+        raise OutputError("cannot be written in that form", source=target, remedy=f"End the name in {' or '.join(endings)}.")
+
+
 def check_own(target: Path, marks: Iterable[str]) -> None:
     """Refuse to replace a file that another program or another command wrote; an empty one is nobody's.
 

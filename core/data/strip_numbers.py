@@ -41,26 +41,24 @@ def by_strips(label: str, tiles: Sequence[TileInfo]) -> tuple[tuple[TileInfo, ..
     """Tiles of the epoch ``label`` as they are to be read, and a sentence where their points' numbers are not those in the files."""
     numbers = len({number for tile in tiles for number in tile.sources})
     frames = numbers > MOST_STRIPS and sum(tile.used for tile in tiles) < LEAST_POINTS * numbers
-    # only this needs them, and tiles go along with every job
-    kept = tuple(replace(tile, by_second=PlacesBySecond.empty()) for tile in tiles)
     if numbers > 1 and not frames:
-        return kept, ""
+        return tuple(tiles), ""
     timed = all(len(tile.by_second.seconds) for tile in tiles)
     starts = passes(PlacesBySecond.merged([tile.by_second for tile in tiles])) if timed else np.zeros(0)
     several = 1 < len(starts) <= MOST_STRIPS
     if not several and not frames:
-        return kept, ""
+        return tuple(tiles), ""
     # a mean of points may be of several passes
     thinned = any(tile.thinned for tile in tiles)
     said = f"{numbers} point source IDs number scan lines or frames and are not used" if frames else "the tiles do not number strips"
     if several and not thinned:
         strips = tuple(range(1, len(starts) + 1))
         return (
-            tuple(replace(tile, sources=strips, strip_starts=tuple(starts.tolist())) for tile in kept),
+            tuple(replace(tile, sources=strips, strip_starts=tuple(starts.tolist())) for tile in tiles),
             f"{label}: {said}: by GPS time there are {len(starts)} passes or stations",
         )
     why = ", and where points are thinned passes cannot be told apart" if thinned and several else ""
-    return tuple(replace(tile, sources=(0,), strip_starts=()) for tile in kept), f"{label}: {said}{why}: it is taken for one strip"
+    return tuple(replace(tile, sources=(0,), strip_starts=()) for tile in tiles), f"{label}: {said}{why}: it is taken for one strip"
 
 
 def passes(seen: PlacesBySecond) -> FloatArray:

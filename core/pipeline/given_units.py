@@ -47,21 +47,15 @@ def place_given(cloud: PointCloud, given: Sequence[GivenUnit], units: Sequence[U
     labels
         (n,) which unit each point of the cloud belongs to, or -1.
     """
-    from ..segmentation.aggregation import assign
-    from ..segmentation.segment import clearance, label_window
+    from ..segmentation.segment import KnownUnits, points_of_known
     from ..segmentation.surface_elements import surface_noise
 
     poses = np.array([unit.pose for unit in given], dtype=np.float64).reshape(-1, 12)
     poses[:, :3] -= cloud.origin
     kinds = np.array([unit.kind for unit in given], dtype=np.int64)
-    labels = np.full(len(cloud), -1, dtype=np.int64)
-    best = np.full(len(cloud), np.inf)
+    known = []
     for kind in np.unique(kinds):
-        unit = units[kind]
         members = np.flatnonzero(kinds == kind)
-        noise = surface_noise(cloud.xyz, unit.height) if len(cloud) >= 50 else 0.0
-        window, kept_clear = label_window(noise, unit.height), clearance(noise, unit.height)
-        own, distance = assign(cloud.xyz, poses[members], unit, window, clearance=kept_clear)
-        nearer = (own >= 0) & (np.abs(distance) < best)
-        labels[nearer], best[nearer] = members[own[nearer]], np.abs(distance[nearer])
-    return poses, labels
+        noise = surface_noise(cloud.xyz, units[kind].height) if len(cloud) >= 50 else 0.0
+        known.append(KnownUnits(units[kind], poses[members], noise, members))
+    return poses, points_of_known(cloud.xyz, known)

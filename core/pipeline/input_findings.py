@@ -86,7 +86,7 @@ def said_of_tiles(epoch: Epoch, tiles: Sequence[TileInfo], verdict: Verdict, sai
     return Finding(verdict=verdict, what="tiles", name=f"{len(tiles)} tiles", epoch=epoch.label, message=said)
 
 
-def refused(epoch: Epoch | None, what: str, error: InputError, name: str = "") -> Finding:
-    """An input that cannot be used."""
+def refused(epoch: Epoch | None, what: str, error: InputError, name: str = "", path: Path | None = None) -> Finding:
+    """An input that cannot be used; ``path`` is the file of a tile."""
     label = "" if epoch is None else epoch.label
-    return Finding(verdict="refused", what=what, name=name or what, epoch=label, message=str(error), error=error)
+    return Finding(verdict="refused", what=what, name=name or what, epoch=label, message=str(error), error=error, path=path)

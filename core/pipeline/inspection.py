@@ -24,7 +24,7 @@ from ..data.crs import LOCAL, parse_crs
 from ..data.survey import Survey
 from ..data.tile_dates import tile_dates
 from ..data.tiles import TileInfo, inspect_tile
-from .input_findings import Finding, Verdict, first_error
+from .input_findings import Finding, Verdict, first_error, refused
 from .size_check import check_sizes
 from .survey_check import check_survey
 from .target_check import check_spacing
@@ -89,7 +89,7 @@ def inspect_files(paths: Sequence[Path], feedback: Feedback) -> tuple[Finding, .
         try:
             tile = inspect_tile(path, None, is_cancelled=feedback.is_cancelled)
         except InputError as error:
-            findings.append(Finding(verdict="refused", what="tile", name=path.name, message=str(error), error=error, path=path))
+            findings.append(refused(None, "tile", error, path.name, path))
         else:
             said = [*tile.remarks, *([] if tile.used else [f"{path.name}: holds no points that are used"])]
             verdict: Verdict = "warning" if tile.unread or not tile.used else "note" if said else "ok"

@@ -26,8 +26,7 @@ from ..results.geopackage_reader import Row, read_layer_rows
 from ..results.run_record import epochs_of
 from ..results.unit_rows import unit_sizes
 from ..results.unit_sizes import unit_of
-from ..segmentation.aggregation import assign
-from ..segmentation.segment import clearance, label_window
+from ..segmentation.segment import KnownUnits, points_of_known
 from .epoch_plans import plan_survey
 from .placed_points import Placing, placing
 
@@ -100,22 +99,15 @@ def points_of_units(points: FloatArray, units: Mapping[UnitType, list[Row]]) -> 
 
     As in a run, points that may as well be a neighbour's are of none.
     """
-    numbers = np.zeros(len(points), dtype=np.uint32)
     if not len(points):
-        return numbers
+        return np.zeros(0, dtype=np.uint32)
     origin = np.floor(points.mean(axis=0))
-    nearest = np.full(len(points), np.inf)
+    known = []
     for unit, members in sorted(units.items(), key=lambda item: astuple(item[0])):
         poses = [Pose.from_quaternion(row["geom"] - origin, [row[q] for q in ("qx", "qy", "qz", "qw")]) for row in members]
-        table = np.array([pose.as_row() for pose in poses])
-        noise = _noise(members)
-        window, kept_clear = label_window(noise, unit.height), clearance(noise, unit.height)
-        labels, distance = assign(points - origin, table, unit, window, clearance=kept_clear)
-        nearer = (labels >= 0) & (np.abs(distance) < nearest)
-        nearest[nearer] = np.abs(distance[nearer])
-        ids = np.array([_number_of(row["unit_id"]) for row in members], dtype=np.uint32)
-        numbers[nearer] = ids[labels[nearer]]
-    return numbers
+        numbers = np.array([_number_of(row["unit_id"]) for row in members], dtype=np.int64)
+        known.append(KnownUnits(unit, np.array([pose.as_row() for pose in poses]), _noise(members), numbers))
+    return np.maximum(points_of_known(points - origin, known), 0).astype(np.uint32)
 
 
 def _noise(members: Sequence[Row]) -> float:

@@ -83,7 +83,7 @@ class LocalProcesses:
             if _may_be_copied():
                 from multiprocessing import resource_tracker
 
-                # one for all of them: a copy that needs it would start its own
+                # beside spawned workers there is one, and who watches a run from outside counts on it
                 with _interrupts_held(), _worker_environment(1):
                     resource_tracker.ensure_running()
                 self._pool = self._opened("fork", _start_as_copy)

@@ -11,9 +11,9 @@ import numpy as np
 
 from ..common.arrays import FloatArray
 from ..common.atomic_files import replace_durably, temporary_beside
-from ..common.errors import InputError, OutputError
+from ..common.errors import InputError
 from ..common.feedback import Feedback
-from ..common.output_files import check_own, check_targets
+from ..common.output_files import check_ending, check_own, check_targets
 from ..model.unit_types import UnitType
 from ..results.geopackage_reader import read_given_rows
 from ..results.geopackage_writer import check_output, write_result
@@ -115,8 +115,7 @@ def run_register_views(views: Sequence[Path], output: Path, voxel: float | None,
     from ..data.tiles import inspect_tile, read_points
     from ..registration.views import register_views
 
-    if output.suffix.lower() not in (".laz", ".las"):
-        raise OutputError("cannot be written in that form", source=output, remedy="End the name in .laz or .las.")
+    check_ending(output, (".laz", ".las"))
     if voxel is not None and not 0 < voxel < math.inf:
         raise InputError(f"voxels of {voxel:g} m have no size", where="voxel", remedy="Give the length of their edges in metres, or none.")
     check_targets([(output, "the merged cloud")], views)

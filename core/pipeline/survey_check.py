@@ -18,6 +18,7 @@ from ..common.errors import InputError
 from ..common.feedback import Feedback
 from ..data.crs import LOCAL
 from ..data.occupancy import Occupancy, common_height_shift, level_for, merged, share_that_differs
+from ..data.places_by_second import PlacesBySecond
 from ..data.plausibility import (
     FAR_CONTROL,
     Place,
@@ -131,7 +132,7 @@ def _look_at(path: Path, epoch: Epoch, survey_crs: str, level: int, patch: float
                 remedy="Export the tiles with GPS time, or take trajectory, range_sd and angle_sd out of survey.toml.",
             )
     except InputError as error:
-        return replace(refused(epoch, "tile", error, path.name), path=path)
+        return refused(epoch, "tile", error, path.name, path)
     said = [*tile.remarks, *([tile.note] if tile.note else [])]
     verdict: Verdict = "warning" if tile.unread else "note" if said else "ok"
     if not tile.used:
@@ -211,6 +212,8 @@ def _thinned(epoch: Epoch, tiles: Sequence[TileInfo]) -> list[Finding]:
 def _strips_of(epoch: Epoch, tiles: tuple[TileInfo, ...]) -> tuple[tuple[TileInfo, ...], list[Finding]]:
     """The tiles with what their point source IDs are taken for; with a table of stations they number these."""
     taken, said = (tiles, "") if epoch.stations is not None else by_strips(epoch.label, tiles)
+    # nothing else needs these, and tiles go along with every job
+    taken = tuple(replace(tile, by_second=PlacesBySecond.empty()) for tile in taken)
     return taken, [said_of_tiles(epoch, tiles, "note" if taken[0].strip_starts else "warning", said)] if said else []
 
 

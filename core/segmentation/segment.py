@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple
 
@@ -420,3 +421,23 @@ def label_window(noise: float, height: float, tolerance: float | None = None) ->
     """
     rough = NEAR_SURFACE_RATIO * height if tolerance is None else min(LABEL_TOLERANCES * tolerance, MOST_LABEL_RATIO * height)
     return max(LABEL_NOISE * noise, rough)
+
+
+class KnownUnits(NamedTuple):
+    """Units of one type that were found before: (k, 12) poses in the frame of the points, noise of a point in metres, and (k,) numbers."""
+
+    unit: UnitType
+    poses: FloatArray
+    noise: float
+    numbers: IntArray
+
+
+def points_of_known(points: FloatArray, known: Iterable[KnownUnits]) -> IntArray:
+    """(n,) number of the unit whose surface is nearest to each of (n, 3) points, metres; -1 for none, or where another may have it."""
+    labels, nearest = np.full(len(points), -1, dtype=np.int64), np.full(len(points), np.inf)
+    for unit, poses, noise, numbers in known:
+        window, kept_clear = label_window(noise, unit.height), clearance(noise, unit.height)
+        own, distance = assign(points, poses, unit, window, clearance=kept_clear)
+        nearer = (own >= 0) & (np.abs(distance) < nearest)
+        labels[nearer], nearest[nearer] = numbers[own[nearer]], np.abs(distance[nearer])
+    return labels

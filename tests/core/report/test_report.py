@@ -112,13 +112,18 @@ def test_quality_of_the_units_is_shown_by_epoch(reviewed: Path, tmp_path: Path) 
     assert re.search(rf'{PAIR.epoch_to}</td><td class="n">118</td><td class="n">2</td><td class="n">4.3</td><td class="n">0.4 %', page)
 
 
-def test_summary_names_its_thresholds_for_laboratory_models(tmp_path: Path) -> None:
-    """Half of their nominal diameter is less than 5 cm."""
-    path = tmp_path / "small.gpkg"
+def laboratory_models(path: Path, change: str) -> Path:
+    """A result of models of a tank, with one change more."""
     write_result(path, 20, 2)
     with closing(sqlite3.connect(path)) as connection, connection:
         connection.execute("UPDATE units SET height = 0.105")
-        connection.execute("UPDATE displacements SET d_over_dn = NULL")
+        connection.execute(change)
+    return path
+
+
+def test_summary_names_its_thresholds_for_laboratory_models(tmp_path: Path) -> None:
+    """Half of their nominal diameter is less than 5 cm."""
+    path = laboratory_models(tmp_path / "small.gpkg", "UPDATE displacements SET d_over_dn = NULL")
     data = write_report(path, tmp_path / "small.html", ReportOptions(sections=("summary",)))
     assert data.damage is not None
     assert [c.name for c in data.damage.classes[:2]] != ["5 cm", "10 cm"]
@@ -300,11 +305,7 @@ def test_commands_end_with_their_exit_codes(reviewed: Path, tmp_path: Path) -> N
 
 def test_page_of_laboratory_models_is_drawn_in_their_size(tmp_path: Path) -> None:
     """Arrows, outlines and the words for a frame without a CRS."""
-    path = tmp_path / "small.gpkg"
-    write_result(path, 20, 2)
-    with closing(sqlite3.connect(path)) as connection, connection:
-        connection.execute("UPDATE units SET height = 0.105")
-        connection.execute("UPDATE gpkg_geometry_columns SET srs_id = -1")
+    path = laboratory_models(tmp_path / "small.gpkg", "UPDATE gpkg_geometry_columns SET srs_id = -1")
     data = write_report(path, tmp_path / "small.html", ReportOptions(sections=("summary",)))
     assert data.explorer["height"] == 0.105
     assert data.explorer["outline_steps"] == 1000
