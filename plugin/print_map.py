@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +26,7 @@ from qgis.PyQt.QtGui import QFont
 from qgis.PyQt.QtXml import QDomDocument
 
 from ..algorithms.support.layers import legend_label
+from ..algorithms.support.lengths import round_below
 from ..algorithms.support.translation import tr
 from .review_store import ReviewStore
 from .review_text import datum_label
@@ -147,13 +147,11 @@ def layout_name(taken: list[str], stem: str) -> str:
 def _fit_bar(bar: QgsLayoutItemScaleBar, page_map: QgsLayoutItemMap) -> None:
     """Two segments of a round length, together two thirds of the column."""
     metres = SIDE / 1000 * page_map.scale() / 3
-    power = 10.0 ** math.floor(math.log10(max(metres, 1e-3)))
-    step = next(step * power for step in (5, 2, 1) if step * power <= metres)
     bar.setUnits(Qgis.DistanceUnit.Meters)
     bar.setUnitLabel("m")
     bar.setNumberOfSegments(2)
     bar.setNumberOfSegmentsLeft(0)
-    bar.setUnitsPerSegment(step)
+    bar.setUnitsPerSegment(round_below(metres))
     bar.update()
 
 

@@ -14,7 +14,7 @@ from qgis.PyQt.QtCore import QPointF, QRectF, QSize, QSizeF, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QFontMetricsF, QMouseEvent, QPainter, QPaintEvent, QPalette, QPen, QPolygonF, QWheelEvent
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
-from ..algorithms.support.lengths import decimal
+from ..algorithms.support.lengths import decimal, round_below
 from ..algorithms.support.translation import tr
 from ..core.common.arrays import FloatArray
 from ..core.model.outline import PlacedShape, end_discs, section, silhouette
@@ -385,9 +385,3 @@ class UnitView(QWidget):
             place = QRectF(MARGIN, bottom - 2 * line - 8, metrics.horizontalAdvance(shown) + MARGIN, line)
             painter.fillRect(place, base)
             painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, shown)
-
-
-def round_below(value: float) -> float:
-    """Largest of 1, 2 or 5 times a power of ten not above a positive value."""
-    power = 10.0 ** math.floor(math.log10(max(value, 1e-9)))
-    return next(step * power for step in (5, 2, 1) if step * power <= value * (1 + 1e-9))

@@ -10,10 +10,10 @@ from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt
 from qgis.PyQt.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPalette, QPen, QPolygonF
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
-from ..algorithms.support.lengths import LengthFormat, decimal, length_format
+from ..algorithms.support.lengths import LengthFormat, decimal, length_format, round_below
 from ..algorithms.support.translation import tr
 from ..core.results.unit_rows import Z_95, SeriesPoint
-from .review_plots import MARGIN, round_below
+from .review_plots import MARGIN
 from .review_text import is_dark, paper
 
 FEATURE_COLOURS = {"centre": ("#000000", "#FFFFFF"), "f123": ("#0072B2", "#56B4E9"), "f124": ("#D55E00", "#E69F00")}

@@ -25,6 +25,7 @@ from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QApplication, QLabel
 
 from ..algorithms.support.layers import apply_style, layer_title
+from ..algorithms.support.lengths import round_below
 from ..algorithms.support.translation import tr
 from ..core.results.class_colours import CLASS_COLOURS
 from .review_text import kind_label
@@ -120,7 +121,7 @@ def arrow_layer(result: Path, project: QgsProject) -> tuple[QgsVectorLayer | Non
     if not moved:
         return None, 0.0
     lengths = sorted(math.hypot(*vector) for _, vector in moved)
-    scale = _nice(TYPICAL_ARROW / max(lengths[len(lengths) // 2], 1e-3))
+    scale = round_below(max(1.0, TYPICAL_ARROW / max(lengths[len(lengths) // 2], 1e-3)))
     layer = QgsVectorLayer(f"LineStringZ?crs={source.crs().toWkt()}", tr("Displacements in 3D"), "memory")
     layer.setCrs(source.crs())
     features = []
@@ -245,12 +246,6 @@ def _cloud(result: Path, project: QgsProject) -> QgsPointCloudLayer | None:
                 project.layerTreeRoot().addLayer(layer).setItemVisibilityChecked(False)
                 return layer
     return None
-
-
-def _nice(value: float) -> float:
-    """The largest of 1, 2, 5 times a power of ten up to a value, at least 1."""
-    power = 10 ** math.floor(math.log10(max(value, 1.0)))
-    return float(max((step * power for step in (1, 2, 5) if step * power <= value), default=1.0))
 
 
 def _corners(feature: Any) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from qgis.core import Qgis, QgsExpressionContextUtils, QgsProject, QgsSettings, QgsUnitTypes
@@ -69,3 +70,9 @@ def write_project_lengths(project: QgsProject) -> None:
     for name, value in ((FACTOR, lengths.factor), (UNIT, lengths.suffix), (DECIMALS, lengths.decimals)):
         if QgsExpressionContextUtils.projectScope(project).variable(name) != value:
             QgsExpressionContextUtils.setProjectVariable(project, name, value)
+
+
+def round_below(value: float) -> float:
+    """Largest of 1, 2 or 5 times a power of ten not above a positive value."""
+    power = 10.0 ** math.floor(math.log10(max(value, 1e-9)))
+    return next(step * power for step in (5, 2, 1) if step * power <= value * (1 + 1e-9))

@@ -221,10 +221,15 @@ def ground_scale(survey_crs: str, easting: float, northing: float) -> tuple[floa
     from pyproj.exceptions import ProjError
 
     flat = _horizontal(parse_crs(survey_crs))
+    geodetic = flat.geodetic_crs
+    if geodetic is None:
+        return None
     try:
-        geodetic = Transformer.from_crs(flat, flat.geodetic_crs, always_xy=True)
-        longitude, latitude = geodetic.transform(easting, northing, errcheck=True)
-        factors = Proj(flat).get_factors(longitude, latitude, errcheck=True)
+        # from the CRS's own meridian, as its projection counts, and in degrees, as it may not: old zones of France do in grads
+        own = Transformer.from_crs(flat, geodetic, always_xy=True).transform(easting, northing, errcheck=True)
+        along, up = np.degrees(np.multiply(own, geodetic.axis_info[0].unit_conversion_factor))
+        factors = Proj(flat).get_factors(along, up, errcheck=True)
+        longitude, latitude = Transformer.from_crs(flat, "EPSG:4326", always_xy=True).transform(easting, northing, errcheck=True)
     except ProjError:
         return None
     scales = float(factors.tissot_semiminor), float(factors.tissot_semimajor)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pyproj import CRS, Transformer
 from tetratrack.core.common.errors import CrsError
-from tetratrack.core.data.crs import LOCAL, check_survey_crs, crs_text, horizontal_transform, parse_crs, tile_transform
+from tetratrack.core.data.crs import LOCAL, check_survey_crs, crs_text, ground_scale, horizontal_transform, parse_crs, tile_transform
 
 UTM = "EPSG:32650"
 CORNERS = np.array([[648_000.0, 3_313_000.0, 2.0], [648_100.0, 3_313_080.0, 9.0]])
@@ -144,3 +144,18 @@ def test_a_transformation_is_looked_for_once(monkeypatch: pytest.MonkeyPatch) ->
     assert first is not None
     assert again is not None
     assert np.array_equal(first, again)
+
+
+@pytest.mark.parametrize(
+    ("code", "easting", "northing", "scale", "zone"),
+    [  # on the line of true or stated scale of each: of its own meridian (Paris, Oslo), in grads, in feet, counted to the south
+        (27572, 600_000, 2_200_000, 0.99987742, "EPSG:32631"),
+        (27391, 0, 1_000, 1.0, "EPSG:32632"),
+        (2046, 0, 3_700_000, 1.0, "EPSG:32733"),
+        (32633, 500_000, 5_800_000, 0.9996, "EPSG:32633"),
+    ],
+)
+def test_scale_of_the_grid_over_ground(code: int, easting: float, northing: float, scale: float, zone: str) -> None:
+    least, largest, utm = ground_scale(f"EPSG:{code}", easting, northing)
+    assert (least, largest) == (pytest.approx(scale, abs=2e-8), pytest.approx(scale, abs=2e-8))
+    assert utm == zone
