@@ -40,10 +40,11 @@ class TrueUnit:
 
 @dataclass(frozen=True)
 class EpochCloud:
-    """Points of an epoch less ``origin``, with the units that are truly there."""
+    """Points of an epoch less ``origin``, their strips or stations, and the units that are truly there."""
 
     label: str
     points: FloatArray
+    sources: NDArray[np.uint16]
     origin: FloatArray
     truth: tuple[TrueUnit, ...]
 
@@ -101,7 +102,7 @@ def read_epoch(survey: Survey, label: str) -> EpochCloud:
         pose = Pose.from_quaternion([float(row[k]) for k in "ENH"], [float(row[k]) for k in ("qx", "qy", "qz", "qw")])
         pose = _to_cloud(pose, move).shifted(-cloud.origin)
         units.append(TrueUnit(row["unit_id"], pose, float(row["visible_area_fraction"]), row["broken"] == "1", row["status"]))
-    return EpochCloud(label, cloud.xyz, cloud.origin, tuple(units))
+    return EpochCloud(label, cloud.xyz, cloud.source_id, cloud.origin, tuple(units))
 
 
 def _to_cloud(pose: Pose, move: object) -> Pose:

@@ -372,6 +372,7 @@ def simulate(
     bridging: Annotated[
         float, typer.Option("--bridging", min=0, help="Photogrammetry: radius of the narrowest hollow it follows, metres; 0: all")
     ] = 0.0,
+    broken: Annotated[int | None, typer.Option("--broken", min=0, help="Units with a broken leg; default one of 38")] = None,
     other_views: Annotated[bool, typer.Option("--other-views", help="Later epochs are seen from other lines or stations")] = False,
     bend: Annotated[float, typer.Option("--bend", min=0, help="Bend of every epoch along the site, metres rms per coordinate")] = 0.0,
     drift: Annotated[float, typer.Option("--drift", min=0, help="Bend of every strip or station for itself, metres rms")] = 0.0,
@@ -400,7 +401,7 @@ def simulate(
             instrument, name, _unit(unit, told, radius, gradient, leg_length, opening), units=units, epochs=epochs, seed=seed,
             density=density or None, noise=noise or None, crs=crs, castings=castings, bridging=bridging, other_views=other_views,
             frame=FrameErrors(bend=bend, drift=drift, bowl=bowl, shortest=wave_lengths[0], longest=wave_lengths[1]),
-            length=length, targets_every=targets_every, slide=slide,
+            length=length, targets_every=targets_every, slide=slide, broken=broken,
         )  # fmt: skip
         return {"survey": str(simulate_survey(plan, output, feedback.progress))}
 

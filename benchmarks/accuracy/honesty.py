@@ -4,8 +4,7 @@
 
 For each folder one line: right and wrong units that count, right ones called uncertain; of resting and of moved units the median and 90th
 percentile of the error (mm), the mean squared normalised error per coordinate (1 is honest), the share of coordinates within 1.96 standard
-deviations, and units flagged; then broken units with a leg named broken, of all that are found, of those whose stump is seen (at the true
-pose, the labelled points of a leg go on beyond its joint and stop before its end), and legs named broken of the others' legs.
+deviations, and units flagged; then (standard error output) broken legs that are named, as ``broken_legs.py`` counts them.
 ``--seeds`` simulates as many surveys of castings seen from other sides, instruments in turn.
 """
 
@@ -18,10 +17,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-import laspy
 import numpy as np
-from scipy.spatial.transform import Rotation
-from tetratrack.benchmarks.ground_truth import number_of
+from tetratrack.benchmarks.accuracy.broken_legs import counted, judged_in_run, true_legs
 from tetratrack.core.common.feedback import Feedback
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.pipeline.run_options import RunOptions
@@ -31,10 +28,6 @@ from tetratrack.core.simulation.virtual_survey import simulate_survey
 
 SAME_UNIT_HEIGHTS = 0.25
 """Distance of a centre from the true one, in unit heights, up to which a unit is right."""
-JOINT, END = 0.45, 0.9
-"""Shares of a leg beyond which its points are of its stump, and of its end."""
-STUMP_POINTS, NONE_AT_END = 20, 0.05
-"""Points of a stump that is seen, at least, and share of them at the end of the leg that are mixed pixels or of a neighbour."""
 COLUMNS = ("survey", "right", "wrong", "right but uncertain", "units", "median", "p90", "squared error", "inside 95 %", "flagged")
 
 
@@ -69,52 +62,12 @@ def matched(result: Path, folder: Path) -> tuple[dict[tuple[str, str], str], lis
     return names, counts
 
 
-def seen_stumps(folder: Path) -> set[tuple[str, str]]:
-    """Broken units and epochs with a leg of which points beyond its joint are seen and none at its end; none if points have no labels."""
-    survey, found = read_survey(folder / "survey.toml"), set()
-    shape = survey.units[0].type
-    for epoch in survey.epochs:
-        labelled = folder / f"truth/labels_{epoch.label}.npz"
-        if not labelled.exists():
-            continue
-        with np.load(labelled) as labels:
-            clouds = [(laspy.read(path), labels[path.stem]) for path in epoch.tiles if path.stem in labels]
-        points = np.vstack([np.column_stack([las.x, las.y, las.z]) for las, _ in clouds])
-        numbers = np.concatenate([own for _, own in clouds])
-        for row in csv.DictReader((folder / "truth/units.csv").open()):
-            if row["epoch"] != epoch.label or not row["E"] or row["broken"] != "1":
-                continue
-            turn = Rotation.from_quat([float(row[k]) for k in ("qx", "qy", "qz", "qw")])
-            body = turn.inv().apply(points[numbers == number_of(row["unit_id"])] - [float(row[k]) for k in "ENH"])
-            lean = body @ shape.leg_directions.T
-            along, leg = lean.max(axis=1) / shape.leg_length, lean.argmax(axis=1)
-            stump, end = (np.bincount(leg[along > share], minlength=4) for share in (JOINT, END))
-            if ((stump >= STUMP_POINTS) & (end < NONE_AT_END * stump)).any():
-                found.add((row["unit_id"], epoch.label))
-    return found
-
-
-def broken_legs(result: Path, folder: Path, names: dict[tuple[str, str], str]) -> str:
-    """Units that are ``broken`` in truth with a leg named so, and legs named broken of units that are whole, each of those found."""
-    broken = {
-        (row["unit_id"], row["epoch"]): row["broken"] == "1" for row in csv.DictReader((folder / "truth/units.csv").open()) if row["E"]
-    }
-    counts, stumps, seen = np.zeros((2, 2), dtype=int), seen_stumps(folder), np.zeros(2, dtype=int)
-    with sqlite3.connect(result) as connection:
-        for unit, epoch, *legs in connection.execute(
-            "select unit_id, epoch, leg1, leg2, leg3, leg4 from units where status != 'uncertain'"
-        ):
-            name = names.get((unit, epoch))
-            if name is not None:
-                is_broken = int(broken[name, epoch])
-                named = legs.count("broken")
-                counts[is_broken] += (min(named, 1), 1) if is_broken else (named, 4)
-                if (name, epoch) in stumps:
-                    seen += (min(named, 1), 1)
-    return (
-        f"{folder.name}: broken legs named {counts[1, 0]} of {counts[1, 1]}, of those with a stump that is seen {seen[0]} of {seen[1]}, "
-        f"whole legs called broken {counts[0, 0]} of {counts[0, 1]}"
-    )
+def broken_legs(result: Path, folder: Path) -> str:
+    """What the result says of broken legs, beside the truth."""
+    survey = read_survey(folder / "survey.toml")
+    count = counted(judged_in_run(result, folder, survey), true_legs(folder, survey))
+    named = [f"{int(number)} of {int(of)}" for number, of in (count.seen, count.shown, count.whole)]
+    return f"{folder.name}: broken legs named {named[0]} seen, {named[1]} of which the break is shown, {named[2]} whole ones named broken"
 
 
 def judged(result: Path, folder: Path) -> list[str]:
@@ -169,7 +122,7 @@ def main() -> None:
                 run_survey(read_survey(folder / "survey.toml"), result, RunOptions(workers=2), Feedback())
             for line in judged(result, folder):
                 print(f"| {line} |", flush=True)
-            print(broken_legs(result, folder, matched(result, folder)[0]), file=sys.stderr, flush=True)
+            print(broken_legs(result, folder), file=sys.stderr, flush=True)
 
 
 if __name__ == "__main__":

@@ -22,6 +22,8 @@ from ..model.unit_types import UnitType
 
 CONTACT_TOLERANCE = 0.004
 """Depth as a fraction of H to which two units may touch: soft contacts of the physics, not an overlap of solids."""
+OBLIQUITY = 0.25
+"""Standard deviation of the slopes of a face of fracture across its leg."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,6 +114,10 @@ class PiledUnit:
     broken_leg: int = -1
     broken_length: float = 0.0
     status: str = "stable"
+
+    def slope_of_break(self) -> FloatArray:
+        """(3,) slopes of the face of fracture: at a place (3,) across the axis it lies by its product with these farther out."""
+        return np.random.default_rng(self.number).normal(0, OBLIQUITY, 3)
 
     def shape(self, unit: UnitType) -> UnitType:
         """The unit's own geometry: the nominal one in its own size."""

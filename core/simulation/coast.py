@@ -92,7 +92,7 @@ class CoastSimulation(Simulation):
             report(0.0, f"settling {plan.units} units, pile {k + 1}")
             rng = np.random.default_rng([plan.seed, 1, k])
             size_sd = SIZE_SD if plan.castings else 0.003
-            piles.append(settle(self.unit, self.stretch, plan.units, rng, broken=round(plan.units / 38), size_sd=size_sd))
+            piles.append(settle(self.unit, self.stretch, plan.units, rng, broken=plan.broken_units, size_sd=size_sd))
         return [tuple(replace(u, number=STRETCH_NUMBERS * k + u.number) for u in piles[k % len(piles)]) for k in range(self.count)]
 
     def _changed(self, k: int, pile: Pile, epoch: int) -> tuple[Pile, tuple[int, ...]]:
@@ -140,10 +140,10 @@ class CoastSimulation(Simulation):
         cloud = self._scanned(scene, rng, 0.0 if lines else self.instrument.offset, epoch, views)
         place = np.array([self._middle(k), 0.0, 0.0])
         points = cloud.points + place
-        if plan.instrument == "photogrammetry":
-            return replace(cloud, points=points)
-        within = cloud.time - LINE_SECONDS * cloud.source
         sensor = cloud.sensor + place
+        if plan.instrument == "photogrammetry":
+            return replace(cloud, points=points, sensor=sensor)
+        within = cloud.time - LINE_SECONDS * cloud.source
         if lines:
             offsets = np.random.default_rng([plan.seed, 5, epoch]).uniform(-1, 1, (STATIONS, 3)) * self.instrument.offset
             started = LINE_SECONDS * (cloud.source * self.count + k)

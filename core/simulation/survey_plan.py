@@ -15,6 +15,8 @@ from .virtual_instruments import INSTRUMENTS, Instrument
 
 STRETCH_NUMBERS = 1000
 """Numbers of units that one stretch of a coast may take."""
+UNITS_TO_A_BROKEN_ONE = 38
+"""Units of which one has a broken leg, unless a plan says how many have."""
 LABORATORY_HEIGHT = 0.105
 """Nominal height of the models on a table, metres."""
 
@@ -72,6 +74,8 @@ class SimulationPlan:
         Length of a coast in metres, made of stretches of ``units`` units each (:mod:`.coast`); 0 for one site.
     targets_every
         Distance of the stations of targets along a coast, metres; 0 for a coast without control.
+    broken
+        Units of the first epoch, or of each stretch of a coast, that have a broken leg; None for one of 38. Models on a table have none.
     slide
         How far the middle stretch of a coast slides seaward and down between the first two epochs, metres.
     """
@@ -102,6 +106,7 @@ class SimulationPlan:
     length: float = 0.0
     targets_every: float = 24.0
     slide: float = 0.0
+    broken: int | None = None
 
     def __post_init__(self) -> None:
         if self.instrument not in INSTRUMENTS:
@@ -116,6 +121,12 @@ class SimulationPlan:
             value = getattr(self, field)
             if not math.isfinite(value) or value < low:
                 raise InputError(f"{field} must be at least {low}, got {value!r}", where=field, remedy="Correct the number.")
+        if self.broken is not None and (self.broken < 0 or self.laboratory):
+            raise InputError(
+                f"{self.broken} units with a broken leg cannot be simulated by {self.instrument}",
+                where="broken",
+                remedy="Use 0 or more and uav, tls or photogrammetry, or leave it out for a typical number.",
+            )
         for field in ("density", "noise"):
             value = getattr(self, field)
             if value is not None and (not math.isfinite(value) or value <= 0):
@@ -153,6 +164,11 @@ class SimulationPlan:
         return self.instrument == "depth_camera"
 
     @property
+    def broken_units(self) -> int:
+        """Units of the first epoch, or of a stretch of a coast, with a broken leg."""
+        return round(self.units / UNITS_TO_A_BROKEN_ONE) if self.broken is None else self.broken
+
+    @property
     def unit(self) -> UnitType:
         """Nominal unit."""
         return UnitType.tetrapod(self.height, radius=self.radius, gradient=self.gradient, leg_length=self.leg_length, opening=self.opening)
@@ -181,6 +197,7 @@ def plan_of(
     length: float = 0.0,
     targets_every: float = SimulationPlan.targets_every,
     slide: float = 0.0,
+    broken: int | None = None,
 ) -> SimulationPlan:
     """Plan for one instrument with a place and numbers that suit it: a breakwater, or models on a table for the depth camera.
 
@@ -210,4 +227,5 @@ def plan_of(
     return replace(
         base, units=base.units if units is None else units, epochs=epochs, seed=seed, density=density, noise=noise,
         castings=castings, bridging=bridging, other_views=other_views, frame=frame, length=length, targets_every=targets_every, slide=slide,
+        broken=broken,
     )  # fmt: skip

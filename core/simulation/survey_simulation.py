@@ -20,6 +20,7 @@ from ..model.tetrapod import surface_cells
 from .armour_pile import Changes, PiledUnit, Site, change, settle, settle_models
 from .bent_frames import FrameOfEpoch
 from .castings import SIZE_SD
+from .leg_truth import COLUMNS, leg_columns
 from .survey_files import gps_seconds, tile_edges, write_csv, write_las
 from .survey_plan import SimulationPlan
 from .virtual_instruments import ANGLE_SD, INSTRUMENTS, SENSOR_FILES
@@ -76,7 +77,7 @@ class Simulation:
         if self.site is None:
             pile = settle_models(self.unit, plan.units, rng)
         else:
-            pile = settle(self.unit, self.site, plan.units, rng, broken=round(plan.units / 38), size_sd=SIZE_SD if plan.castings else 0.003)
+            pile = settle(self.unit, self.site, plan.units, rng, broken=plan.broken_units, size_sd=SIZE_SD if plan.castings else 0.003)
         (self.folder / "truth").mkdir()
         targets = self.targets()
         checks = pile[:0]
@@ -165,6 +166,7 @@ class Simulation:
                 [
                     *(self.unit_name(u.number), label, *centre, qw, qx, qy, qz, round(shape.height, 5), round(seen[u.number], 4)),
                     *(len(body), int(np.sum(legs >= 40)), int(u.broken_leg >= 0), u.status),
+                    *leg_columns(u, self.unit, scaled, self.cells, cloud),
                 ]
             )
             facing_centre = int(seen[u.number] >= 0.05)
@@ -176,7 +178,7 @@ class Simulation:
                 at = (f"{v:.{digits}f}" for v in pose.to_frame(place))
                 self.feature_rows.append([name_of_unit, label, name, *at, int(three)])
         for number in gone:
-            self.units_rows.append([self.unit_name(number), label, *[""] * 12, "removed"])
+            self.units_rows.append([self.unit_name(number), label, *[""] * 12, "removed", *[""] * len(COLUMNS)])
         return seen
 
     def _record_moves(self, before: Iterable[PiledUnit], pile: tuple[PiledUnit, ...], epoch: int) -> None:
@@ -299,7 +301,7 @@ class Simulation:
         truth = self.folder / "truth"
         write_csv(
             truth / "units.csv",
-            "unit_id,epoch,E,N,H,qw,qx,qy,qz,height,visible_area_fraction,n_points,legs_visible,broken,status",
+            "unit_id,epoch,E,N,H,qw,qx,qy,qz,height,visible_area_fraction,n_points,legs_visible,broken,status," + ",".join(COLUMNS),
             self.units_rows,
         )
         write_csv(truth / "feature_points.csv", "unit_id,epoch,feature,E,N,H,facing", self.feature_rows)

@@ -205,7 +205,7 @@ def _broken(vertices: FloatArray, unit: UnitType, piled: PiledUnit) -> FloatArra
         return vertices
     axis = unit.leg_directions[piled.broken_leg]
     lean = vertices @ unit.leg_directions.T
-    tilt = np.random.default_rng(piled.number).normal(0, 0.25, 3)
+    tilt = piled.slope_of_break()
     axial = lean[:, piled.broken_leg]
     across = vertices - axial[:, None] * axis
     limit = piled.broken_length + across @ tilt

@@ -129,6 +129,10 @@ def test_truth_is_complete_and_consistent(survey: tuple[SimulationPlan, Survey])
     for (unit_id, epoch), row in units.items():
         if epoch == site.epochs[0].label:
             assert int(row["n_points"]) == counts.get(int(unit_id[1:]), 0)
+        legs = [float(row[f"leg{k}_points"]) for k in range(1, 5)]
+        assert sum(legs) <= int(row["n_points"])
+        assert all((points > 0) == (float(row[f"leg{k + 1}_seen"]) > 0) for k, points in enumerate(legs))
+        assert (row["broken_leg"] == "0") == (row["broken"] == "0") == (float(row["leg_missing"]) == 0)
     for row in rows(truth / "feature_points.csv"):
         unit = units[row["unit_id"], row["epoch"]]
         pose = Pose.from_quaternion([float(unit[k]) for k in "ENH"], [float(unit[k]) for k in ("qx", "qy", "qz", "qw")])
