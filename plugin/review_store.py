@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..core.common.arrays import FloatArray
 from ..core.common.errors import InputError, OutputError, TetratrackError
-from ..core.results.geopackage_reader import EpochPair, epoch_pairs
+from ..core.results.geopackage_reader import EpochPair, epoch_pairs, latest_pair
 from ..core.results.result_access import is_writable
 from ..core.results.unit_rows import EpochInfo, UnitDetails, UnitRow, datums, read_details, read_epochs, read_unit_rows, unit_sizes
 from ..core.review.basis import Basis, read_bases
@@ -83,12 +83,6 @@ class Statistics:
     rejected: int
     median: float | None
     largest: float | None
-
-
-def latest_pair(pairs: Sequence[EpochPair], labels: Sequence[str]) -> EpochPair:
-    """The last of the pairs of consecutive epochs, which a reviewer opens a result for; ``labels`` in the order of time."""
-    consecutive = [pair for pair in pairs if labels.index(pair.epoch_to) == labels.index(pair.epoch_from) + 1]
-    return max(consecutive or pairs, key=lambda pair: labels.index(pair.epoch_to))
 
 
 class ReviewStore:

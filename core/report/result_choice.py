@@ -5,9 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..common.errors import InputError
-from ..results.geopackage_reader import EpochPair, epoch_pairs
-from ..results.result_access import reading
-from ..results.unit_rows import datums
+from ..results.geopackage_reader import EpochPair, epoch_pairs, latest_pair
+from ..results.unit_rows import datums, read_epochs
 
 
 def choose_pair(result: Path, pair: EpochPair | None, datum: str | None) -> tuple[EpochPair, str]:
@@ -16,15 +15,12 @@ def choose_pair(result: Path, pair: EpochPair | None, datum: str | None) -> tupl
     Raises
     ------
     InputError
-        The result has no displacements, or none of that pair or datum.
+        The result compares no epochs, or not those, or not in that datum.
     """
     pairs = epoch_pairs(result)
     if not pairs:
-        raise InputError("holds no displacements", source=result, remedy="A survey of two epochs or more is needed.")
-    with reading(result) as connection:
-        statement = "SELECT epoch_from, epoch_to FROM displacements ORDER BY time_to DESC LIMIT 1"
-        last = connection.execute(statement).fetchone()
-    chosen = pair or (EpochPair(last["epoch_from"], last["epoch_to"]) if last else pairs[0])
+        raise InputError("compares no epochs", source=result, remedy="A survey of two epochs or more is needed.")
+    chosen = pair or latest_pair(pairs, [epoch.label for epoch in read_epochs(result)])
     if chosen not in pairs:
         raise InputError(f"has no epoch pair {chosen}", source=result, remedy=f"It has {', '.join(str(p) for p in pairs)}.")
     available = datums(result, chosen)

@@ -14,7 +14,7 @@ import struct
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from itertools import combinations
+from itertools import combinations, pairwise
 from pathlib import Path
 from typing import Any
 
@@ -403,14 +403,27 @@ def parse_settings(text: str | None) -> dict[str, Any]:
 
 
 def epoch_pairs(path: Path) -> tuple[EpochPair, ...]:
-    """Epoch pairs the result compares: consecutive ones in the order of time first, then the others."""
-    have_other = "displacements_other" in table_names(path)
+    """Epoch pairs the result compares: consecutive ones in the order of time first, then the others.
+
+    Consecutive epochs that a run compared are a pair though no unit is left that both see: all may be lost.
+    """
+    tables = table_names(path)
     consecutive = "SELECT 1 FROM displacements WHERE epoch_from = ? AND epoch_to = ? LIMIT 1"
     other = "SELECT 1 FROM displacements_other WHERE epoch_from = ? AND epoch_to = ? LIMIT 1"
     with reading(path) as connection:
         labels = [str(row["label"]) for row in connection.execute("SELECT label FROM epochs ORDER BY time")]
         possible = list(combinations(labels, 2))
-        found = [pair for pair in possible if connection.execute(consecutive, pair).fetchone()]
-        if have_other:
+        compared: set[tuple[str, str]] = set()
+        if "epoch_pairs" in tables:
+            rows = connection.execute("SELECT epoch_from, epoch_to FROM epoch_pairs").fetchall()
+            compared = {(str(row["epoch_from"]), str(row["epoch_to"])) for row in rows} & set(pairwise(labels))
+        found = [pair for pair in possible if pair in compared or connection.execute(consecutive, pair).fetchone()]
+        if "displacements_other" in tables:
             found += [pair for pair in possible if pair not in found and connection.execute(other, pair).fetchone()]
     return tuple(EpochPair(*pair) for pair in found)
+
+
+def latest_pair(pairs: Sequence[EpochPair], labels: Sequence[str]) -> EpochPair:
+    """The last of the pairs of consecutive epochs, which a result is opened for; ``labels`` in the order of time."""
+    consecutive = [pair for pair in pairs if labels.index(pair.epoch_to) == labels.index(pair.epoch_from) + 1]
+    return max(consecutive or pairs, key=lambda pair: labels.index(pair.epoch_to))

@@ -16,7 +16,7 @@ from ..common.arrays import FloatArray
 from ..common.errors import InputError
 from ..common.robust import CHI2_3_95
 from ..model.outline import PlacedShape
-from .geopackage_reader import EpochPair, Row, parse_settings, parse_time, query, read_layer_rows, table_names
+from .geopackage_reader import EpochPair, Row, epoch_pairs, parse_settings, parse_time, query, read_layer_rows, table_names
 from .result_access import reading
 from .schema import DATUMS
 from .unit_sizes import UnitSize, shape_of, sizes_of_settings
@@ -222,7 +222,7 @@ def read_epochs(path: Path) -> tuple[EpochInfo, ...]:
 
 
 def datums(path: Path, pair: EpochPair) -> tuple[str, ...]:
-    """Datums in which a pair has displacements; ``stable`` first."""
+    """Datums in which a pair has displacements, ``stable`` first; all where the pair was compared and no unit is seen in both epochs."""
     have_other = _has_other(path)
     default = "SELECT 1 FROM displacements WHERE epoch_from = ? AND epoch_to = ? AND datum = ? LIMIT 1"
     other = "SELECT 1 FROM displacements_other WHERE epoch_from = ? AND epoch_to = ? AND datum = ? LIMIT 1"
@@ -232,7 +232,7 @@ def datums(path: Path, pair: EpochPair) -> tuple[str, ...]:
             key = (pair.epoch_from, pair.epoch_to, datum)
             if connection.execute(default, key).fetchone() or (have_other and connection.execute(other, key).fetchone()):
                 found.append(datum)
-    return tuple(found)
+    return tuple(found) if found or pair not in epoch_pairs(path) else DATUMS
 
 
 def read_unit_rows(path: Path, pair: EpochPair, datum: str) -> list[UnitRow]:
