@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..common.atomic_files import write_whole
+from ..common.atomic_files import cannot_write, temporary_beside
 from ..common.errors import InputError, OutputError
 from ..common.feedback import Feedback
 from ..common.output_files import check_targets
@@ -24,6 +24,7 @@ from ..data.crs import LOCAL, parse_crs
 from ..data.survey import Survey
 from ..data.tile_dates import tile_dates
 from ..data.tiles import TileInfo, inspect_tile
+from ..results.result_replacement import put_whole_in_place
 from .input_findings import Finding, Verdict, first_error, refused
 from .size_check import check_sizes
 from .survey_check import check_survey
@@ -249,7 +250,13 @@ def write_tile_index(path: Path, rows: Sequence[Row]) -> None:
     # GDAL says little of a disk that is full: the file is made in memory and then written
     content = io.BytesIO()
     frame.to_file(content, layer=LAYER, driver="GPKG", engine="pyogrio")
-    write_whole(path.absolute(), content.getvalue())
+    target = path.absolute()
+    try:
+        with temporary_beside(target) as temporary:
+            temporary.write_bytes(content.getvalue())
+            put_whole_in_place(temporary, target)
+    except (sqlite3.Error, OSError) as error:
+        raise cannot_write(target, error) from error
 
 
 def _rectangle(tile: TileInfo, own: str, crs: str | None) -> Any:

@@ -18,14 +18,14 @@ from typing import Any
 
 import numpy as np
 
-from ..common.atomic_files import cannot_write, replace_durably, temporary_beside
+from ..common.atomic_files import cannot_write, temporary_beside
 from ..common.errors import InputError, OutputError
 from ..common.output_files import not_own
 from ..data.crs import LOCAL, parse_crs, wkt_of
 from .epoch_ends import with_epoch_ends
 from .geopackage_reader import WKT2_COLUMN, ResultCrs, add_indices, definition_of, encode_geometry, now_utc, parse_settings
 from .result_access import connect, reading
-from .result_replacement import add_wkt2, put_in_place, quoted, rehearse, style_mark
+from .result_replacement import add_wkt2, put_in_place, put_whole_in_place, quoted, rehearse, style_mark
 from .schema import LAYERS, Field, Layer
 from .unit_bodies import BODIES, body_rows
 from .unit_sizes import sizes_of_settings
@@ -208,7 +208,7 @@ def write_beside(path: Path, crs: ResultCrs, layers: Mapping[str, Layer], tables
         with temporary_beside(path.absolute()) as temporary:
             with closing(sqlite3.connect(temporary, isolation_level=None)) as connection:
                 _build(connection, crs.text, tables, styles, {}, layers)
-            replace_durably(temporary, path.absolute())
+            put_whole_in_place(temporary, path.absolute())
     except (sqlite3.Error, OSError) as error:
         raise cannot_write(path, error) from error
 

@@ -77,6 +77,41 @@ def put_in_place(finished: Path, target: Path, computed: Collection[str]) -> Non
         ) from error
 
 
+def put_whole_in_place(finished: Path, target: Path) -> None:
+    """Make a finished GeoPackage, to which users add nothing, the file of a name: inside the file where there is one.
+
+    Another program may have that open: its write-ahead log would be applied to a new file of the same name, which is then malformed.
+
+    Parameters
+    ----------
+    finished
+        Complete GeoPackage beside the target; gone where it could be given the target's name.
+    target
+        Earlier file of the same kind, or none.
+
+    Raises
+    ------
+    OutputError, sqlite3.Error, OSError
+        Another program kept the earlier file locked, the disk is full, or the file cannot be written; it is as it was.
+    """
+    if not target.exists():
+        remove_stale_logs(target)
+        replace_durably(finished, target)
+        return
+    end = time.monotonic() + BUSY_SECONDS
+
+    def look(status: int, remaining: int, total: int) -> None:
+        # a copy of SQLite would try for ever
+        if time.monotonic() > end:
+            raise sqlite3.OperationalError("database is locked")
+
+    # read only and unchangeable, as nobody else knows it
+    address = sqlite_address(finished.resolve(), "mode=ro&immutable=1")
+    with closing(connect(target, write=True, needed=())) as there, closing(sqlite3.connect(address, uri=True)) as made:
+        there.execute("PRAGMA synchronous = FULL")
+        made.backup(there, progress=look, sleep=LOCK_SECONDS)
+
+
 def rehearse(finished: Path, target: Path, computed: Collection[str]) -> None:
     """Find out before the work whether an earlier result can be replaced, by doing so and taking it back.
 

@@ -8,9 +8,14 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
+from las_files import grid_points, write_las
 from tetratrack.core.common.errors import OutputError, TetratrackError
-from tetratrack.core.results.geopackage_reader import EpochPair, read_layer_rows
-from tetratrack.core.results.geopackage_writer import check_output, write_geopackage, write_result
+from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.pipeline.inspection import run_inspect
+from tetratrack.core.results import result_replacement
+from tetratrack.core.results.comparison_layers import SECTION_LAYERS
+from tetratrack.core.results.geopackage_reader import EpochPair, ResultCrs, read_layer_rows
+from tetratrack.core.results.geopackage_writer import check_output, write_beside, write_geopackage, write_result
 from tetratrack.core.review.decisions import decide, read_history
 
 PAIR = EpochPair("a", "b")
@@ -168,3 +173,62 @@ def test_no_acknowledged_decision_is_lost_while_results_replace_each_other(resul
     assert not troubles
     assert len(acknowledged) > 6
     assert [event.number for event in read_history(result)] == acknowledged
+
+
+def _write_sections(path: Path, count: int) -> None:
+    rows = [{"section": k, "along": float(k), "kind": "design", "geometry": [[k, 0.0, 0.0], [k, 1.0, 0.0]]} for k in range(count)]
+    write_beside(path, ResultCrs("", None, "undefined"), {layer.name: layer for layer in SECTION_LAYERS}, {"sections": rows})
+
+
+@pytest.mark.parametrize("kind", ["comparison", "tiles"])
+@pytest.mark.parametrize("mode", ["wal", "delete"])
+def test_a_file_that_another_program_has_open_is_no_ruin_when_written_anew(tmp_path: Path, kind: str, mode: str) -> None:
+    """Its write-ahead log was applied to the new file of its name, which then was malformed for all."""
+    path = tmp_path / "beside.gpkg"
+    if kind == "tiles":
+        pytest.importorskip("geopandas")
+        tile = write_las(tmp_path / "tile.las", grid_points())
+        run_inspect([tile], path, Feedback())
+        layer, again, expected = "tiles", (lambda: run_inspect([tile], path, Feedback())), 1
+    else:
+        _write_sections(path, 3)
+        layer, again, expected = "sections", (lambda: _write_sections(path, 400)), 400
+    with closing(sqlite3.connect(path, isolation_level=None)) as other, closing(sqlite3.connect(path, isolation_level=None)) as third:
+        other.execute(f"PRAGMA journal_mode = {mode}")
+        other.execute("UPDATE gpkg_contents SET description = 'saved in another program'")
+        if mode == "wal":
+            third.execute("BEGIN")
+            third.execute("SELECT * FROM gpkg_contents").fetchall()
+        again()
+        assert _rows(path, "PRAGMA integrity_check") == [("ok",)]
+        assert _rows(path, f"SELECT count(*) FROM {layer}") == [(expected,)]  # noqa: S608
+    assert _rows(path, "PRAGMA integrity_check") == [("ok",)]
+    assert _rows(path, f"SELECT count(*) FROM {layer}") == [(expected,)]  # noqa: S608
+    assert [file.name for file in tmp_path.glob("*beside*")] == ["beside.gpkg"]
+
+
+def test_a_file_that_another_program_keeps_locked_stays_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "beside.gpkg"
+    _write_sections(path, 3)
+    monkeypatch.setattr(result_replacement, "BUSY_SECONDS", 0.1)
+    monkeypatch.setattr("tetratrack.core.results.result_access.BUSY_SECONDS", 0.1)
+    with closing(sqlite3.connect(path, isolation_level=None)) as other:
+        other.execute("BEGIN")
+        other.execute("SELECT count(*) FROM sections").fetchall()
+        with pytest.raises(OutputError, match="locked"):
+            _write_sections(path, 400)
+    assert _rows(path, "SELECT count(*) FROM sections") == [(3,)]
+
+
+def test_what_was_left_of_a_file_that_is_gone_is_not_taken_for_the_new_ones(tmp_path: Path) -> None:
+    path = tmp_path / "beside.gpkg"
+    _write_sections(path, 3)
+    with closing(sqlite3.connect(path, isolation_level=None)) as other:
+        other.execute("PRAGMA journal_mode = wal")
+        other.execute("UPDATE gpkg_contents SET description = 'saved in another program'")
+        log = path.with_name("beside.gpkg-wal").read_bytes()
+    path.unlink()
+    path.with_name("beside.gpkg-wal").write_bytes(log)
+    _write_sections(path, 400)
+    assert _rows(path, "PRAGMA integrity_check") == [("ok",)]
+    assert _rows(path, "SELECT count(*) FROM sections") == [(400,)]
