@@ -14,9 +14,11 @@ from ..common.output_files import check_own, check_targets
 from ..common.sqlite_files import has_leftovers
 from .geopackage_reader import table_names
 from .result_access import is_writable, reading
-from .schema import LAYERS
+from .schema import LAYERS, Field
 
 FORMATS = ("csv", "parquet")
+_NULLABLE = {"integer": "Int64", "boolean": "boolean"}
+"""Kinds of column that hold empty values beside whole numbers and truth values, by type of field."""
 
 
 def export_layers(
@@ -25,7 +27,7 @@ def export_layers(
     """Write every layer of a result to ``folder/<layer>.csv`` and ``folder/<layer>.parquet``.
 
     A CSV has the coordinates in columns ``x``, ``y``, ``z`` (and ``x_to``, ``y_to``, ``z_to`` of lines), in the CRS of the result;
-    times are ISO 8601 in UTC. Text that a spreadsheet would run as a formula has an apostrophe before it.
+    times are ISO 8601 in UTC, truth values True and False. Text that a spreadsheet would run as a formula has an apostrophe before it.
 
     Parameters
     ----------
@@ -91,9 +93,15 @@ def _read(result: Path, name: str) -> Any:
         # recovered, and its layers are tables: now GDAL reads what SQLite has read
         immutable = {} if is_writable(result) or has_leftovers(result) else {"IMMUTABLE": "YES"}
     try:
-        return geopandas.read_file(result, layer=name, engine="pyogrio", **immutable)
+        frame = geopandas.read_file(result, layer=name, engine="pyogrio", **immutable)
     except (DataSourceError, DataLayerError) as error:
         raise InputError("cannot be read", source=result, remedy="Give a result of tetratrack.") from error
+    return frame.astype({field.name: _NULLABLE[field.type] for field in LAYERS[name].fields if _is_widened(field, frame)})
+
+
+def _is_widened(field: Field, frame: Any) -> bool:
+    """Whether a column of whole numbers or truth values was read as real ones, as it is where some are empty: 3 would be written 3.0."""
+    return field.type in _NULLABLE and field.name in frame and frame[field.name].dtype.kind not in "iub"
 
 
 def _safe(frame: Any) -> Any:

@@ -60,3 +60,28 @@ def test_formats_are_known_by_their_names(result: Path, tmp_path: Path) -> None:
 def test_unknown_layer_is_named(result: Path, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="has no layer roads"):
         export_layers(result, tmp_path / "out", layers=["roads"])
+
+
+def test_whole_numbers_and_truth_values_stay_such_beside_empty_ones(tmp_path: Path) -> None:
+    """A lost unit without points made 828 points 828.0, or 828,0, and what is observed 1.0."""
+    geopandas = pytest.importorskip("geopandas")
+    pandas = pytest.importorskip("pandas")
+    path = tmp_path / "result.gpkg"
+    seen = ROW | {"n_points": 828, "legs_visible": 3}
+    point = {"unit_id": "U0001", "epoch": "a", "feature": "centre", "observed": True, "geometry": [1.0, 2.0, 3.0]}
+    rows = {"units": [seen, ROW | {"unit_id": "U0002", "geometry": None}], "feature_points": [point, point | {"observed": None}]}
+    write_geopackage(path, "EPSG:32652", rows | {"displacements": [LINE]})
+    folder = tmp_path / "out"
+    export_layers(path, folder, separator="semicolon")
+    units, points, lines = (
+        pandas.read_csv(folder / f"{name}.csv", sep=";", dtype=str, keep_default_na=False)
+        for name in ("units", "feature_points", "displacements")
+    )
+    assert units[["n_points", "legs_visible"]].to_numpy().tolist() == [["828", "3"], ["", ""]]
+    assert units["height"].tolist() == ["2,3", "2,3"]
+    assert points["observed"].tolist() == ["True", ""]
+    assert lines["significant"].tolist() == ["True"]
+    kept, truths = (geopandas.read_parquet(folder / f"{name}.parquet") for name in ("units", "feature_points"))
+    assert kept["n_points"].dtype.kind == "i"
+    assert truths["observed"].dtype.kind == "b"
+    assert kept["n_points"].isna().tolist() == [False, True]
