@@ -18,6 +18,10 @@ METRES = 6
 """Value of $INSUNITS."""
 LABEL_HEIGHT = 0.15
 """Height of the names over the height of a unit."""
+MOST_BYTES = 255
+"""Of a text beside an entity."""
+_BREAKS = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
+"""Control characters, and what Python's readers of lines take for the end of one."""
 DXF_MARK = "999\ntetratrack model\n"
 """A comment, which no CAD program keeps: a drawing that was worked on is not taken for an earlier output."""
 
@@ -51,7 +55,7 @@ def dxf(model: AsBuilt) -> str:
         turn[3, :3] = unit.shape.centre
         insert = space.add_blockref(f"UNIT{unit.solid + 1}", (0, 0, 0), dxfattribs={"layer": layer_name("unit", unit.kind)})
         insert.transform(Matrix44(turn.reshape(-1)))
-        insert.set_xdata("TETRATRACK", [(1000, f"{name}={value}"[:250]) for name, value in unit.properties.items()])
+        insert.set_xdata("TETRATRACK", [(1000, one_line(f"{name}={value}")) for name, value in unit.properties.items()])
         _add_plan(space, unit)
     drawing.appids.add("TETRATRACK")
     text = io.StringIO()
@@ -63,6 +67,11 @@ def dxf(model: AsBuilt) -> str:
 def layer_name(prefix: str, kind: str) -> str:
     """Name of a layer, without the characters that DXF keeps for itself."""
     return re.sub(r"[^\w-]", "_", f"{prefix}_{kind}")
+
+
+def one_line(text: str) -> str:
+    """A text as a DXF may hold one: every line of the file is a value, and one of extended data has ``MOST_BYTES``."""
+    return _BREAKS.sub(" ", text).encode("utf-8")[:MOST_BYTES].decode("utf-8", "ignore")
 
 
 def _add_block(drawing: Any, name: str, solid: Solid) -> None:
@@ -84,8 +93,8 @@ def _add_plan(space: Any, unit: BuiltUnit) -> None:
         close=True,
         dxfattribs={"layer": layer_name("outline", unit.kind), "elevation": level},
     )
-    outline.set_xdata("TETRATRACK", [(1000, f"unit_id={unit.unit_id}"[:250])])
+    outline.set_xdata("TETRATRACK", [(1000, one_line(f"unit_id={unit.unit_id}"))])
     text = space.add_text(
-        unit.unit_id, height=LABEL_HEIGHT * float(unit.row["height"]), dxfattribs={"layer": layer_name("name", unit.kind)}
+        one_line(unit.unit_id), height=LABEL_HEIGHT * float(unit.row["height"]), dxfattribs={"layer": layer_name("name", unit.kind)}
     )
     text.set_placement(tuple(unit.shape.centre.tolist()))

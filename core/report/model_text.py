@@ -18,8 +18,8 @@ OBJ_MARK = "; metres, x easting, y northing, z height, less the offset"
 def obj(model: AsBuilt) -> str:
     """OBJ with one object a unit, corners with the colour of its class; z is height, coordinates less the offset in its head."""
     lines = [
-        f"# {model.name}, epoch {model.epoch}".replace("\n", " "),
-        f"# CRS {model.crs.name}{OBJ_MARK}".replace("\n", " "),
+        " ".join(f"# {model.name}, epoch {model.epoch}".splitlines()),
+        " ".join(f"# CRS {model.crs.name}{OBJ_MARK}".splitlines()),
         f"# offset {model.offset[0]:.0f} {model.offset[1]:.0f} {model.offset[2]:.0f}",
     ]
     first = 1

@@ -122,6 +122,26 @@ def test_obj_read_by_trimesh(result: Path, tmp_path: Path) -> None:
     assert all(mesh.is_watertight for mesh in scene.geometry.values())
 
 
+def test_dxf_holds_names_of_any_characters_in_lines_of_their_own(tmp_path: Path) -> None:
+    """A line break in a name made a file that no program read; text beside an entity has 255 bytes at most, whatever its letters."""
+    ezdxf = pytest.importorskip("ezdxf")
+    units = make_units(6, 2)
+    names = ["a\nb", "c\r\nd\x00e", "f\u2028g\x85h", "é" * 240]
+    for k, name in enumerate(names):
+        units[k] = SyntheticUnit(name, "stable", units[k].centres, units[k].quaternions)
+    path = tmp_path / "result.gpkg"
+    write_result(path, epochs=2, units=units)
+    output = tmp_path / "model.dxf"
+    write_model(path, output)
+    drawing = ezdxf.readfile(output)
+    assert not drawing.audit().has_errors
+    texts = {text.dxf.text for text in drawing.modelspace().query("TEXT")}
+    assert {"a b", "c  d e", "f g h"} < texts
+    held = [tag.value for insert in drawing.modelspace().query("INSERT") for tag in insert.get_xdata("TETRATRACK") if tag.code == 1000]
+    assert max(len(value.encode("utf-8")) for value in held) in (254, 255)
+    assert f"unit_id={'é' * 123}" in held
+
+
 def test_dxf_read_by_gdal(result: Path, tmp_path: Path) -> None:
     pytest.importorskip("ezdxf")
     import geopandas
