@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
@@ -112,6 +113,10 @@ class AsBuilt:
     offset: FloatArray
     solids: tuple[Solid, ...]
     units: tuple[BuiltUnit, ...]
+
+    def without(self, unit_ids: Collection[str]) -> AsBuilt:
+        """The model without some units, by name."""
+        return replace(self, units=tuple(unit for unit in self.units if unit.unit_id not in unit_ids)) if unit_ids else self
 
     @property
     def height(self) -> float:

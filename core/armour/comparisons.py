@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -144,8 +144,8 @@ def design_of(
     )
 
 
-def compare_design(result: Path, design: Design, epoch: str | None = None) -> DesignComparison:
-    """Units of one epoch, by default the latest, against a placement plan and a design profile.
+def compare_design(result: Path, design: Design, epoch: str | None = None, *, excluded: Collection[str] = frozenset()) -> DesignComparison:
+    """Units of one epoch, by default the latest, against a placement plan and a design profile; ``excluded`` ones are left out.
 
     Raises
     ------
@@ -154,7 +154,7 @@ def compare_design(result: Path, design: Design, epoch: str | None = None) -> De
     """
     if not design.plan and not design.profile:
         raise InputError("there is nothing to compare with", remedy="Give a placement plan, a design profile, or both.")
-    model = read_as_built(result, epoch)
+    model = read_as_built(result, epoch).without(excluded)
     plan = None
     if design.plan:
         plan = compare_with_plan(model, read_plan(design.plan, model.crs), design.tolerance)
@@ -197,7 +197,13 @@ def write_design_comparison(result: Path, output: Path, design: Design, epoch: s
 
 
 def profiles(
-    result: Path, *, clouds: Clouds = no_clouds, axis: FloatArray | None = None, step: float | None = None, profile: str = ""
+    result: Path,
+    *,
+    clouds: Clouds = no_clouds,
+    axis: FloatArray | None = None,
+    step: float | None = None,
+    profile: str = "",
+    excluded: Collection[str] = frozenset(),
 ) -> Profiles:
     """Cross-sections of all epochs, the crest of each reach and settlement along the structure.
 
@@ -211,6 +217,8 @@ def profiles(
         Distance of the sections, metres; four heights H by default.
     profile
         Design profile to draw into the sections, '' for none.
+    excluded
+        Units that are left out, by name.
 
     Raises
     ------
@@ -219,7 +227,7 @@ def profiles(
     """
     if step is not None and not step > 0:
         raise InputError(f"the distance of sections is {step} m", remedy="Give metres above zero.")
-    models = _models(result)
+    models = [model for model in (model.without(excluded) for model in _models(result)) if model.units]
     line = _axis(axis, models)
     places = np.array([unit.shape.centre for model in models for unit in model.units])
     height = float(models[-1].units[0].row["height"])

@@ -16,6 +16,7 @@ from ..model.outline import nominal_diameter
 from ..results.frame_heights import FrameHeights
 from .as_built import AsBuilt, BuiltUnit
 from .design_surface import support
+from .placement_rows import COUNTED
 from .sections import CutPlane
 
 CREST_DIAMETERS = 0.5
@@ -46,7 +47,7 @@ def crest_rows(models: Sequence[AsBuilt], axis: Axis, planes: Sequence[CutPlane]
     Parameters
     ----------
     models, errors
-        Units of every epoch, and what is known of the errors of their heights.
+        Units of every epoch, of which those that are uncertain do not count, and what is known of the errors of their heights.
     axis, planes
         Of the structure, and of the middles of its reaches.
     step
@@ -57,7 +58,7 @@ def crest_rows(models: Sequence[AsBuilt], axis: Axis, planes: Sequence[CutPlane]
     for number, plane in enumerate(planes, start=1):
         before: _Crest | None = None
         for model, along in zip(models, chainages, strict=True):
-            own = [unit for unit, a in zip(model.units, along, strict=True) if abs(a - plane.along) <= step / 2 + 1e-9]
+            own = [u for u, a in zip(model.units, along, strict=True) if abs(a - plane.along) <= step / 2 + 1e-9 and u.status in COUNTED]
             if not own:
                 before = None
                 continue

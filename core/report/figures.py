@@ -119,12 +119,12 @@ def _draw_arrows(axes: Any, arrows: Arrows) -> None:
     axes.update_datalim(arrows.starts + arrows.shown)
 
 
-def histogram(rows: Sequence[UnitRow], rejected: frozenset[str], limits: Sequence[tuple[str, float]], _: Translate) -> str:
-    """Displacements of all units on a logarithmic axis, with thresholds."""
+def histogram(rows: Sequence[UnitRow], limits: Sequence[tuple[str, float]], _: Translate) -> str:
+    """Displacements of the units that are judged on a logarithmic axis, with thresholds."""
     figure = empty_figure(7.0, 2.7)
     axes = figure.add_subplot()
-    lengths = np.array([100 * row.d_3d for row in rows if row.d_3d is not None and row.unit_id not in rejected])
-    significant = np.array([100 * row.d_3d for row in rows if row.d_3d is not None and row.unit_id not in rejected and row.significant])
+    lengths = np.array([100 * row.d_3d for row in rows if row.d_3d is not None])
+    significant = np.array([100 * row.d_3d for row in rows if row.d_3d is not None and row.significant])
     low, high = max(lengths.min(), 1e-2), max(lengths.max() * 1.2, 1.0)
     edges: list[float] = np.geomspace(low * 0.9, high, 40).tolist()
     axes.hist(np.maximum(lengths, low), edges, color=CLASS_COLOURS["stable"], label=_("all units"))

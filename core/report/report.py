@@ -247,7 +247,7 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
     drawn["blocks"] = block_view([row for row in rows if row.unit_id not in rejected], late or early, translate)
     if harm is not None and any(row.d_3d is not None for row in judged):
         drawn["displacements"] = figures.displacement_map(rows, shapes, rejected, translate)
-        drawn["histogram"] = figures.histogram(rows, rejected, [(c.name, c.limit) for c in harm.classes], translate)
+        drawn["histogram"] = figures.histogram(judged, [(c.name, c.limit) for c in harm.classes], translate)
         if len(harm.sections) > 1:
             tenth = harm.classes.index(harm.displaced(0.10))
             shares = [s.counts[tenth] / s.units for s in harm.sections]
@@ -270,7 +270,7 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
         drawn_views = _views(details, moved, pair, datum, points, translate)
         worst.append(WorstUnit(moved, reviews.get(moved.unit_id), drawn_views, drawn_series))
     structure = structure_pages(
-        result, pair, (early, late), kept, sizes, replace(options.structure, axis=options.axis), translate, clouds=points.clouds
+        result, pair, (early, late), kept, rejected, sizes, replace(options.structure, axis=options.axis), translate, clouds=points.clouds
     )
     frame = crs_of(result)
     return ReportData(

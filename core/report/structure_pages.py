@@ -9,10 +9,11 @@ from typing import Any
 
 from ..armour.comparisons import Clouds, Design, DesignComparison, Profiles, compare_design, profiles
 from ..armour.placement import Placement, UnitPlacement, placement_of_units, summary
+from ..armour.placement_rows import COUNTED
 from ..common.arrays import FloatArray
 from ..model.outline import PlacedShape
 from ..model.unit_types import UnitType
-from ..results.geopackage_reader import EpochPair
+from ..results.geopackage_reader import EpochPair, read_layer_rows
 from ..results.unit_rows import UnitRow
 from ..results.unit_sizes import UnitSize
 from .damage import nominal_diameter_of
@@ -79,6 +80,7 @@ def structure_pages(
     pair: EpochPair,
     shapes: tuple[Mapping[str, PlacedShape], Mapping[str, PlacedShape]],
     rows: Sequence[UnitRow],
+    rejected: frozenset[str],
     sizes: Sequence[UnitSize],
     options: StructureOptions,
     translate: Translate,
@@ -93,21 +95,30 @@ def structure_pages(
         By unit in the earlier and in the later epoch.
     rows
         Units of the pair without the rejected ones.
+    rejected
+        Names of these.
     clouds
         Points to show in the sections.
     """
     early, late = ({row.unit_id: found[row.unit_id] for row in rows if row.unit_id in found} for found in shapes)
+    counted = {(row["epoch"], row["unit_id"]) for row in read_layer_rows(result, "units") if row["status"] in COUNTED}
+    first, last = (
+        {name: shape for name, shape in found.items() if (epoch, name) in counted}
+        for epoch, found in ((pair.epoch_from, early), (pair.epoch_to, late))
+    )
     symmetries = UnitType.tetrapod(1.0, opening=sizes[0].opening if sizes else "tetrahedral").symmetries
     heights = {row.height for row in rows if row.height is not None}
     before = after = None
     # figures over Dn mean nothing where types of several sizes lie side by side
     if len(heights) == 1:
-        before, after = (placement_of_units(list(found.values()), min(heights), symmetries) for found in (early, late))
+        before, after = (placement_of_units(list(found.values()), min(heights), symmetries) for found in (first, last))
     judged = [row for row in rows if row.is_judged]
     diameter = nominal_diameter_of(judged)
-    design = None if options.design is None else compare_design(result, options.design, pair.epoch_to)
+    design = compare_design(result, options.design, pair.epoch_to, excluded=rejected) if options.design is not None and late else None
     profile = options.design.profile if options.design else ""
-    found = profiles(result, clouds=clouds, axis=options.axis, step=options.step, profile=profile) if early or late else None
+    found = None
+    if early or late:
+        found = profiles(result, clouds=clouds, axis=options.axis, step=options.step, profile=profile, excluded=rejected)
     figures: dict[str, Any] = {}
     if found is not None:
         figures["sections"] = section_figures(found, pair, translate)
@@ -117,7 +128,7 @@ def structure_pages(
     return StructurePages(
         placement=None if after is None else summary(after, symmetries),
         bands=movement_bands(judged, options.bands, diameter) if judged else (),
-        state=damage_state(judged, _layers(before, list(early)), diameter) if judged else "",
+        state=damage_state(judged, _layers(before, list(first)), diameter) if judged else "",
         profiles=found,
         design=design,
         figures=figures,

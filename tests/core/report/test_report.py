@@ -8,21 +8,27 @@ import math
 import re
 import shutil
 import sqlite3
+from collections import Counter
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from pyproj import CRS
 from pyproj.enums import WktVersion
-from synthetic_result import features_of, write_points, write_result
+from synthetic_result import features_of, make_units, write_points, write_result
+from tetratrack.core.armour.comparisons import Design
+from tetratrack.core.armour.placement_rows import placement_rows
 from tetratrack.core.common.axis import parse_axis
 from tetratrack.core.common.errors import InputError, OutputError
+from tetratrack.core.report import figures
 from tetratrack.core.report import report as report_module
 from tetratrack.core.report.alarms import write_alarms
 from tetratrack.core.report.report import SECTIONS, ReportOptions, translator, write_report
-from tetratrack.core.results.geopackage_reader import EpochPair, add_spatial_functions, epoch_pairs
-from tetratrack.core.results.unit_rows import read_unit_rows
+from tetratrack.core.report.structure_pages import StructureOptions
+from tetratrack.core.results.geopackage_reader import EpochPair, add_spatial_functions, epoch_pairs, read_layer_rows
+from tetratrack.core.results.unit_rows import read_epochs, read_unit_rows, unit_sizes
 from tetratrack.core.review.corrections import add_placeholder, store_picks
 from tetratrack.core.review.decisions import confirm, decide
 
@@ -316,3 +322,66 @@ def test_page_of_laboratory_models_is_drawn_in_their_size(tmp_path: Path) -> Non
     page = text_of((tmp_path / "small.html").read_text(encoding="utf-8"))
     assert "a local frame" in page
     assert "Undefined" not in page
+
+
+def _with_doubtful_heap(path: Path) -> list[str]:
+    """A result of 60 units with ten more, high above its crest, that are uncertain in the later epoch; their names."""
+    units = make_units(70, 2, seed=5)
+    units = [replace(unit, fate="stable", centres=unit.centres + np.array([0, 0, 6.0 * (k >= 60)])) for k, unit in enumerate(units)]
+    write_result(path, epochs=2, units=units)
+    names = [unit.unit_id for unit in units[60:]]
+    with closing(sqlite3.connect(path)) as connection, connection:
+        add_spatial_functions(connection)
+        for name in names:
+            connection.execute("UPDATE units SET status = 'uncertain' WHERE epoch = '2024-04-09' AND unit_id = ?", (name,))
+            connection.execute("UPDATE displacements SET class = 'uncertain', d_3d = 0.4 WHERE unit_id = ?", (name,))
+    return names
+
+
+def test_pages_on_the_structure_and_the_layer_count_the_same_units(tmp_path: Path) -> None:
+    """Uncertain units counted in the page on placement, in the crest and in the histogram, and nowhere else."""
+    path = tmp_path / "result.gpkg"
+    _with_doubtful_heap(path)
+    rows = [{**row, "geometry": row["geom"]} for row in read_layer_rows(path, "units") if row["epoch"] == "2024-04-09"]
+    layer = placement_rows(rows, unit_sizes(read_epochs(path)))
+    data = write_report(path, tmp_path / "report.html", ReportOptions(sections=("placement", "profiles"), worst=0))
+    placement, profiles = data.structure.placement, data.structure.profiles
+    assert placement is not None
+    assert profiles is not None
+    assert placement.units == len(layer) == 60
+    assert {found.number: found.units for found in placement.layers} == Counter(int(row["layer"]) for row in layer)
+    tops = {row["along"]: row["crest_highest"] for row in profiles.crest if row["epoch"] == "2023-04-09"}
+    sure = {row["along"]: row["crest_highest"] for row in profiles.crest if row["epoch"] == "2024-04-09"}
+    assert max(tops.values()) > max(sure.values()) + 5, "of the epoch that has them for sure they are the crest"
+
+
+def test_histogram_counts_the_units_that_the_table_of_damage_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "result.gpkg"
+    doubtful = _with_doubtful_heap(path)
+    drawn: list[str] = []
+    monkeypatch.setattr(figures, "histogram", lambda rows, *others: drawn.extend(row.unit_id for row in rows) or "")
+    data = write_report(path, tmp_path / "report.html", ReportOptions(sections=("displacements",), worst=0))
+    assert data.damage is not None
+    assert len(drawn) == data.damage.units
+    assert not set(drawn) & set(doubtful)
+
+
+def test_rejected_units_are_in_no_page_on_the_structure(tmp_path: Path) -> None:
+    """The summary says that they are left out of all tables; crest, sections and design had them."""
+    path, plan = tmp_path / "result.gpkg", tmp_path / "plan.csv"
+    heap = _with_doubtful_heap(path)
+    (pair,) = epoch_pairs(path)
+    decide(path, heap, pair, "rejected", comment="", reviewer="A")
+    rows = [row for row in read_layer_rows(path, "units") if row["epoch"] == pair.epoch_to]
+    places = [",".join([row["unit_id"], *(f"{value:.3f}" for value in row["geom"])]) for row in rows]
+    plan.write_text("\n".join(["unit_id,easting,northing,height", *places]) + "\n", encoding="utf-8")
+    options = ReportOptions(sections=("summary", "profiles", "design"), worst=0, structure=StructureOptions(design=Design(plan=str(plan))))
+    data = write_report(path, tmp_path / "report.html", options)
+    profiles, design = data.structure.profiles, data.structure.design
+    assert profiles is not None
+    assert design is not None
+    assert design.plan is not None
+    assert not {row.get("unit_id") for row in profiles.sections} & set(heap)
+    assert max(row["crest_highest"] for row in profiles.crest) < max(row["geom"][2] for row in rows)
+    assert {row["unit_id"] for row in design.plan.deviations} == {row["unit_id"] for row in rows} - set(heap)
+    assert {row["plan_id"] for row in design.plan.unmatched} == set(heap)
