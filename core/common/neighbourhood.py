@@ -1,4 +1,5 @@
-"""A uniform grid over points, for kernels that gather neighbours inside compiled loops."""
+"""Neighbours of places among many points: a uniform grid for kernels that gather them inside compiled loops, and the nearest ones of a few
+places, for which no tree is grown."""
 
 from __future__ import annotations
 
@@ -13,6 +14,14 @@ from .kernels import kernel
 
 AT_ONCE = 100_000
 """Points whose cells are found together."""
+SPARSE_NEIGHBOURS = 4
+"""Which neighbour among places tells how dense the points are around one of them."""
+FEWEST_A_PLACE = 15
+"""Points for each place from which it takes less time to go past all of them than to grow a tree."""
+GENEROUS = 2.0
+"""How much farther neighbours are looked for than they are supposed to lie: four times as many are found on a surface."""
+MOST_SQUARES = 4_000_000
+"""Squares of a table of places, 32 MB."""
 
 
 class Grid(NamedTuple):
@@ -62,6 +71,86 @@ def point_tree(points: FloatArray) -> cKDTree:
     It is built in less than half the time, 0.2 s less a million points, and asked as fast where points cover a surface.
     """
     return cKDTree(points, balanced_tree=False, compact_nodes=False)
+
+
+def neighbours_of_some(points: FloatArray, chosen: IntArray, count: int) -> tuple[FloatArray, IntArray]:
+    """Distances, ascending, and indices, (k, count) each, of the nearest of (n, 3) points to some of them, ``chosen`` (k,) at random.
+
+    The point itself is the first; n is at least ``count``. For a few thousand of a million points no tree is grown, which would take ten
+    times as long: all points go once past those that are asked about. How far their neighbours lie is guessed from how far they lie
+    apart, and where that was not far enough they go past once more.
+    """
+    places = points[chosen]
+    if len(places) <= SPARSE_NEIGHBOURS or len(points) < FEWEST_A_PLACE * len(places):
+        return _by_tree(points, places, count)
+    apart = point_tree(places).query(places, k=[SPARSE_NEIGHBOURS + 1])[0][:, 0]
+    low, high = corners(places[:, :2])
+    least = max(0.1 * float(np.median(apart)), float((high - low).max()) / len(points))
+    reach = GENEROUS * np.maximum(apart, least) * np.sqrt(count * len(places) / (SPARSE_NEIGHBOURS * len(points)))
+    edge = float(np.median(reach))
+    if not edge or np.prod((high - low) / edge + 1) > MOST_SQUARES:
+        # all in one place, or what lies together lies in a corner of the extent
+        return _by_tree(points, places, count)
+    distance, index = np.full((len(places), count), np.inf), np.zeros((len(places), count), dtype=np.int64)
+    left = np.arange(len(places))
+    while len(left):
+        near, which = np.full((len(left), count), np.inf), np.zeros((len(left), count), dtype=np.int64)
+        _pass_by(points, places[left], reach[left], max(edge, float(np.median(reach[left]))), near, which)
+        distance[left], index[left] = np.sqrt(near), which
+        left = left[distance[left, -1] > reach[left]]
+        reach[left] *= 2
+    return distance, index
+
+
+def _by_tree(points: FloatArray, places: FloatArray, count: int) -> tuple[FloatArray, IntArray]:
+    distance, index = point_tree(points).query(places, k=[*range(1, count + 1)])
+    return distance, index
+
+
+@kernel(releases=True)
+def _pass_by(points: Any, places: Any, reach: Any, cell: float, near: Any, which: Any) -> None:
+    """Squared distances and indices of the nearest of (n, 3) points within ``reach`` (k,) of places (k, 3), into rows of ``near`` and
+    ``which``, those beyond it perhaps; ``cell`` is the edge of squares in plan, metres, each of which lists the places that it may be near
+    to."""
+    low_x = low_y = np.inf
+    high_x = high_y = -np.inf
+    for i in range(len(places)):
+        low_x, high_x = min(low_x, places[i, 0] - reach[i]), max(high_x, places[i, 0] + reach[i])
+        low_y, high_y = min(low_y, places[i, 1] - reach[i]), max(high_y, places[i, 1] + reach[i])
+    columns, rows = int((high_x - low_x) / cell) + 1, int((high_y - low_y) / cell) + 1
+    start = np.zeros(columns * rows + 1, dtype=np.int64)
+    listed = np.empty(0, dtype=np.int64)
+    # counted first, then listed from the last place of each square down
+    for turn in range(2):
+        for i in range(len(places)):
+            for a in range(int((places[i, 0] - reach[i] - low_x) / cell), int((places[i, 0] + reach[i] - low_x) / cell) + 1):
+                for b in range(int((places[i, 1] - reach[i] - low_y) / cell), int((places[i, 1] + reach[i] - low_y) / cell) + 1):
+                    square = min(a, columns - 1) * rows + min(b, rows - 1)
+                    if turn == 0:
+                        start[square] += 1
+                    else:
+                        start[square] -= 1
+                        listed[start[square]] = i
+        if turn == 0:
+            for square in range(columns * rows):
+                start[square + 1] += start[square]
+            listed = np.empty(start[columns * rows], dtype=np.int64)
+    count = near.shape[1]
+    for k in range(len(points)):
+        x, y = points[k, 0], points[k, 1]
+        if not (low_x <= x <= high_x and low_y <= y <= high_y):
+            continue
+        square = min(int((x - low_x) / cell), columns - 1) * rows + min(int((y - low_y) / cell), rows - 1)
+        for m in range(start[square], start[square + 1]):
+            i = listed[m]
+            dx, dy, dz = x - places[i, 0], y - places[i, 1], points[k, 2] - places[i, 2]
+            away = dx * dx + dy * dy + dz * dz
+            if away < near[i, count - 1]:
+                j = count - 1
+                while j > 0 and near[i, j - 1] > away:
+                    near[i, j], which[i, j] = near[i, j - 1], which[i, j - 1]
+                    j -= 1
+                near[i, j], which[i, j] = away, k
 
 
 def build_grid(points: FloatArray, cell: float, most_cells: int = 20_000_000) -> Grid:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..common.arrays import BoolArray, FloatArray
-from ..common.neighbourhood import build_grid, point_tree
+from ..common.neighbourhood import build_grid
 from ..model.unit_types import UnitType
 from .leg_ends import LegEnds, LegView, leg_ends
 from .seen_through import SeenThrough
@@ -46,10 +46,10 @@ def ends_of_units(
     found = [LegEnds.unseen() for _ in poses]
     if not len(poses) or not len(points):
         return found
-    tree, grid = point_tree(points), build_grid(points, CELL_HEIGHTS * min(unit.height for unit in units))
+    grid = build_grid(points, CELL_HEIGHTS * min(unit.height for unit in units))
     for kind in np.unique(kinds):
         unit, of_kind = units[int(kind)], kinds == kind
-        noise = surface_noise(points, unit.height, tree=tree) if len(points) >= FEWEST_POINTS else 0.0
+        noise = surface_noise(points, unit.height) if len(points) >= FEWEST_POINTS else 0.0
         lines = SightLines(points, grid, poses[of_kind], unit, noise)
         own = np.flatnonzero(of_kind & certain)
         around = [points[grid.within(poses[row, :3], REACHES * unit.reach)] for row in own]

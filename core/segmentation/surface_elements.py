@@ -18,7 +18,7 @@ from scipy.special import chdtri
 from ..common.arrays import FloatArray
 from ..common.kernels import in_parts, kernel
 from ..common.least_axis import across, least_axis
-from ..common.neighbourhood import build_grid, gather, point_tree
+from ..common.neighbourhood import build_grid, gather, neighbours_of_some, point_tree
 from ..common.voxels import thin
 
 THINNING_RATIO = 0.03
@@ -93,9 +93,8 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     """
     thinned, _ = thin(points, THINNING_RATIO * height)
     rng = np.random.default_rng(0)
-    raw = point_tree(points)
-    probe = points[np.sort(rng.choice(len(points), min(len(points), 4000), replace=False))]
-    spacing = float(np.median(raw.query(probe, k=2, workers=workers)[0][:, 1])) if len(points) > 1 else 0.0
+    probe = np.sort(rng.choice(len(points), min(len(points), 4000), replace=False))
+    spacing = float(np.median(neighbours_of_some(points, probe, 2)[0][:, 1])) if len(points) > 1 else 0.0
     tree = point_tree(thinned)
     element_noise, _ = _noise_of(thinned, tree, height, workers)
     # wanted: normal error sigma / (R/2 sqrt(n)) of about 3 degrees, n = pi R^2 / area of an element
@@ -106,7 +105,7 @@ def surface_elements(points: FloatArray, height: float, *, workers: int = -1) ->
     wanted = np.sqrt(2 * element_noise * np.sqrt(area / np.pi) / 0.05)
     radius = float(np.clip(wanted, LEAST_RADIUS_RATIO * height, BEND_RADIUS_RATIO * height))
     normals, curved = senses(*_bends(thinned, radius, height), height)
-    noise = surface_noise(points, height, tree=raw, workers=workers)
+    noise = surface_noise(points, height)
     return SurfaceElements(thinned, normals, curved, spacing, noise, element_noise, max(radius, fewest))
 
 
@@ -139,33 +138,36 @@ def _bends(points: FloatArray, radius: float, height: float) -> tuple[FloatArray
     return normals, bend, bend_sd
 
 
-def surface_noise(points: FloatArray, height: float, *, tree: cKDTree | None = None, workers: int = -1) -> float:
+def surface_noise(points: FloatArray, height: float, *, tree: cKDTree | None = None) -> float:
     """Standard deviation of (n, 3) points across the surface, metres; 0 where too few lie together to tell.
 
     The nearest neighbours of a point are those that noise put near it, so that a neighbourhood narrower than the noise makes it look
-    small. Such a cloud is thinned at random until the neighbourhoods reach beyond the noise.
+    small. Such a cloud is thinned at random until the neighbourhoods reach beyond the noise. ``tree`` is that of the points, where there is
+    one.
     """
     rng = np.random.default_rng(2)
-    tree = tree if tree is not None else point_tree(points)
-    noise, radius = _noise_of(points, tree, height, workers)
+    noise, radius = _noise_of(points, tree, height)
     for _ in range(4):
         wanted = min(WIDE_IN_NOISE * noise, BEND_RADIUS_RATIO * height)
         if radius >= 0.9 * wanted:
             break
         points = points[rng.random(len(points)) < (radius / wanted) ** 2]
-        again, radius = _noise_of(points, point_tree(points), height, workers)
+        again, radius = _noise_of(points, None, height)
         noise = max(noise, again)
     return noise
 
 
-def _noise_of(points: FloatArray, tree: cKDTree, height: float, workers: int) -> tuple[float, float]:
+def _noise_of(points: FloatArray, tree: cKDTree | None, height: float, workers: int = 1) -> tuple[float, float]:
     """Standard deviation across the surface, from quadric fits to neighbourhoods that stay on one leg, and the median radius of these."""
     rng = np.random.default_rng(1)
     chosen = np.sort(rng.choice(len(points), min(len(points), 1500), replace=False))
     for count in NOISE_NEIGHBOURS:
         if count > len(points):
             continue
-        distance, index = tree.query(points[chosen], k=count, workers=workers)
+        if tree is None:
+            distance, index = neighbours_of_some(points, chosen, count)
+        else:
+            distance, index = tree.query(points[chosen], k=count, workers=workers)
         near = distance[:, -1] < 0.2 * height
         # a few dense places of a sparse cloud speak of mixed pixels and growth as well as of concrete
         if near.sum() >= LEAST_NEAR * len(chosen) or (count == NOISE_NEIGHBOURS[-1] and near.any()):

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from tetratrack.core.common.neighbourhood import build_grid
+import pytest
+from scipy.spatial import cKDTree
+from tetratrack.core.common.neighbourhood import build_grid, neighbours_of_some
 
 
 def test_cells_hold_their_points_in_ascending_order() -> None:
@@ -50,3 +52,28 @@ def test_points_within_reach_anywhere_and_by_any_cells() -> None:
         for middle, reach in zip(np.round(rng.uniform(-3, 3, (40, 3)), 1), np.round(rng.uniform(0.1, 3, 40), 1) + 0.003, strict=True):
             near = np.sum((points - middle) ** 2, axis=1) <= reach * reach
             assert sorted(grid.within(middle, float(reach))) == np.flatnonzero(near).tolist()
+
+
+@pytest.mark.parametrize("count", [2, 25])
+@pytest.mark.parametrize("away", [60.0, 9000.0])
+def test_neighbours_of_some_points_are_those_of_a_tree_however_unevenly_they_lie(count: int, away: float) -> None:
+    rng = np.random.default_rng(3)
+    dense = np.column_stack([rng.uniform(0, 2, (20_000, 2)), rng.normal(0, 0.01, 20_000)])
+    sparse = np.column_stack([rng.uniform(-30, 40, (3000, 2)), rng.uniform(0, 5, 3000)])
+    wall = np.column_stack([rng.normal(5, 0.002, 8000), rng.uniform(0, 3, (8000, 2))])
+    alone = np.array([[away, -away, 50.0], [away, -away, 50.0]])
+    points = rng.permutation(np.vstack([dense, sparse, wall, alone]))
+    chosen = np.append(rng.choice(len(points), 400, replace=False), np.flatnonzero(points[:, 0] == away))
+    distance, index = neighbours_of_some(points, chosen, count)
+    np.testing.assert_allclose(distance, cKDTree(points).query(points[chosen], k=count)[0], atol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(points[index] - points[chosen][:, None], axis=2), distance, atol=1e-12)
+    assert all(len(set(row)) == count for row in index.tolist())
+
+
+def test_neighbours_of_a_few_places_and_of_places_that_coincide() -> None:
+    points = np.random.default_rng(4).uniform(0, 1, (5000, 3))
+    points[:40] = points[0]
+    for chosen in (np.array([7]), np.arange(60), np.arange(5000)):
+        distance, _ = neighbours_of_some(points, chosen, 3)
+        np.testing.assert_allclose(distance, cKDTree(points).query(points[chosen], k=3)[0], atol=1e-12)
+    assert not neighbours_of_some(np.ones((5000, 3)), np.arange(60), 3)[0].any()
