@@ -77,6 +77,8 @@ class Console:
         elif self.quiet:
             return
         elif self._bar is not None:
+            # its thread begins with what there is to show: until then workers may be copies of this process
+            self._bar.start()
             self._bar.update(self._task, completed=fraction, description=message)
         elif now - self._last >= PLAIN_SECONDS or fraction >= 1:
             self._last = now
@@ -156,12 +158,13 @@ class Console:
         from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
         columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
-        with Progress(*columns, console=RichConsole(stderr=True), transient=True) as bar:
-            self._bar, self._task = bar, bar.add_task("starting", total=1.0)
-            try:
-                yield
-            finally:
-                self._bar = None
+        bar = Progress(*columns, console=RichConsole(stderr=True), transient=True)
+        self._bar, self._task = bar, bar.add_task("starting", total=1.0)
+        try:
+            yield
+        finally:
+            self._bar = None
+            bar.stop()
 
     def _message(self, level: str, message: str) -> None:
         if self.json_progress:

@@ -6,6 +6,7 @@ import contextlib
 import io
 import json
 import signal
+import threading
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -103,3 +104,18 @@ def test_numbers_that_json_does_not_know_are_null(capsys: pytest.CaptureFixture[
     Console(json_progress=True).result({"mean": float("nan"), "rows": [{"sd": float("inf")}], "count": 3})
     event = json.loads(capsys.readouterr().out, parse_constant=lambda name: pytest.fail(f"{name} is not JSON"))
     assert event["outputs"] == {"mean": None, "rows": [{"sd": None}], "count": 3}
+
+
+def test_a_progress_bar_has_no_thread_before_there_is_progress(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    monkeypatch.setattr("sys.stderr", Terminal())
+    console, before = Console(), threading.active_count()
+    with console.opened():
+        console.info("said before")
+        # workers may be copies of this process up to here
+        assert threading.active_count() == before
+        console.progress(0.1, "some of it")
+        assert threading.active_count() == before + 1
