@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import os
 import shutil
+import time
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,6 +26,8 @@ MOST_KEPT = 10_000_000
 """Points of a survey up to which they are kept, a quarter of a gigabyte: of longer ones the tiles are read again."""
 LEAST_FREE = 2**30
 """Bytes of the disk that stay free for results: points that are kept only save time."""
+LOOK_SECONDS = 0.02
+"""Between two looks whether points are kept already."""
 
 
 @dataclass(frozen=True)
@@ -68,6 +73,19 @@ class BlockClouds:
         xyz, sources = kept
         inside = window.contains(xyz)
         return xyz[inside] - origin, sources[inside]
+
+    def awaited(self, blocks: Sequence[Block], seconds: float, is_cancelled: Callable[[], bool] = lambda: False) -> FloatArray | None:
+        """(n, 3) points of an epoch of one block that another process is reading, as soon as it keeps them.
+
+        None where there are more blocks or none is kept, or where that takes longer than so many ``seconds``.
+        """
+        if self.folder is None or len(blocks) != 1 or any(tile.thinned for tile in blocks[0].tiles):
+            return None
+        everywhere = Window(-math.inf, -math.inf, math.inf, math.inf)
+        end = time.monotonic() + seconds
+        while (kept := self._kept(blocks[0], everywhere)) is None and time.monotonic() < end and not is_cancelled():
+            time.sleep(LOOK_SECONDS)
+        return None if kept is None else kept[0]
 
     def _kept(self, block: Block, window: Window) -> tuple[FloatArray, NDArray[np.integer[Any]]] | None:
         """(n, 3) positions and (n,) sources of the points around a block, if those are kept that the window needs."""

@@ -11,8 +11,10 @@ from ..data.repeated_points import by_place
 from ..data.tiles import TileInfo, Window, read_points, used_points
 from ..segmentation.unit_size import WINDOW_SIDE, dense_windows
 
-MOST_POINTS = 1_000_000
+MOST_POINTS = 1_500_000
 """Clouds up to this size are read whole; a read point takes some hundred bytes until it stands in its order."""
+MOST_OF_OVERVIEW = 1_000_000
+"""Points of larger ones that show where surface stands: every so many of the cloud."""
 MOST_READ = 60_000_000
 """Points decompressed at most to see where surface stands: whole tiles, evenly spread over the epoch."""
 SUPPOSED_HEIGHT = 2.2
@@ -28,7 +30,12 @@ LEAST_SIDE, MOST_SIDE = 1.5, 3.0
 
 
 def sample_points(
-    tiles: Sequence[TileInfo], crs: str, height: float = SUPPOSED_HEIGHT, *, is_cancelled: Callable[[], bool] = lambda: False
+    tiles: Sequence[TileInfo],
+    crs: str,
+    height: float = SUPPOSED_HEIGHT,
+    *,
+    whole: Callable[[], FloatArray | None] = lambda: None,
+    is_cancelled: Callable[[], bool] = lambda: False,
 ) -> tuple[FloatArray, FloatArray]:
     """Points (n, 3) of an epoch in a reduced frame and the origin (3,) of that: all, or those of dense places, however long it is.
 
@@ -40,12 +47,18 @@ def sample_points(
         As for :func:`read_points`.
     height
         Of the units that are supposed to be there, metres; places are up to nine times as wide, so that larger units are whole there too.
+    whole
+        Asked first for the points (n, 3) of a cloud that is read whole: somebody may have read them, as :func:`read_points` does.
     is_cancelled
         Asked between chunks.
     """
     if sum(tile.held for tile in tiles) <= MOST_POINTS:
-        cloud = read_points(tiles, crs, is_cancelled=is_cancelled)
-        return cloud.xyz, cloud.origin
+        points = whole()
+        if points is None:
+            cloud = read_points(tiles, crs, is_cancelled=is_cancelled)
+            return cloud.xyz, cloud.origin
+        origin = np.floor(np.min([tile.low for tile in tiles], axis=0))
+        return points - origin, origin
     used = [tile for tile in tiles if tile.used]
     held = {}
     if sum(tile.held for tile in used) <= MOST_HELD:
@@ -105,7 +118,7 @@ def _overview(tiles: Sequence[TileInfo], chunks: Callable[[TileInfo], Iterable[F
     total = sum(tile.held for tile in tiles)
     step = max(1, round(total / MOST_READ))
     chosen = list(tiles)[::step] if len(tiles) > step else list(tiles[:1])
-    stride = max(1, sum(tile.held for tile in chosen) // MOST_POINTS)
+    stride = max(1, sum(tile.held for tile in chosen) // MOST_OF_OVERVIEW)
     # copies: a view would keep all points of its chunk in memory
     return chosen, np.vstack([xyz[::stride].copy() for tile in chosen for xyz in chunks(tile)]), stride
 

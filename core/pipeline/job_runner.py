@@ -75,6 +75,8 @@ class JobRunner:
         As many local processes as workers, which may be loading libraries already; None starts them when first needed.
     clouds
         Where jobs keep points of blocks for later ones.
+    has_company
+        Whether other processes work on jobs while the caller does work of its own.
     """
 
     folder: Path
@@ -86,6 +88,7 @@ class JobRunner:
 
     def __post_init__(self) -> None:
         self._processes = self.processes or LocalProcesses(self.workers)
+        self.has_company = False
 
     def __enter__(self) -> Self:
         return self
@@ -167,8 +170,10 @@ class JobRunner:
             pending = self._processes.submitted([(_run_and_save, *task) for task in tasks])
             waiting = dict(zip(pending, tasks, strict=True))
             # the cores are the workers' now
+            self.has_company = True
             with threads_of_kernels(1):
                 beside()
+            self.has_company = False
             while waiting:
                 done, _ = wait(waiting, timeout=0.2, return_when=FIRST_COMPLETED)
                 for future in done:

@@ -6,7 +6,7 @@ A wrong size finds little, and what it finds looks like units; a sparse or noisy
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -42,8 +42,11 @@ FAR = 3.2
 """Ratio of heights up to which another size is looked for where the given one shows nothing."""
 
 
-def check_sizes(survey: Survey, tiles: Sequence[TileInfo], feedback: Feedback) -> None:
-    """Hold every type of unit of a survey against the tiles of one epoch, and say what comes of it.
+def check_sizes(
+    survey: Survey, tiles: Sequence[TileInfo], feedback: Feedback, whole: Callable[[], FloatArray | None] = lambda: None
+) -> None:
+    """Hold every type of unit of a survey against the tiles of one epoch, and say what comes of it; ``whole`` as of
+    :func:`.sample_points`.
 
     Raises
     ------
@@ -55,7 +58,7 @@ def check_sizes(survey: Survey, tiles: Sequence[TileInfo], feedback: Feedback) -
     if not survey.size_check:
         return
     height = max(unit.type.height for unit in survey.units)
-    points, origin = sample_points(tiles, survey.crs, height, is_cancelled=feedback.is_cancelled)
+    points, origin = sample_points(tiles, survey.crs, height, whole=whole, is_cancelled=feedback.is_cancelled)
     for index, unit in enumerate(survey.units):
         feedback.progress(index / len(survey.units), "comparing the size of the units with the cloud")
         mine = _inside(points, origin, unit)

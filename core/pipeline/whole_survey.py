@@ -46,6 +46,9 @@ from .unit_table import control_rows, epoch_row, feature_rows, fitted_feature_ro
 
 SHARES = {"read": 0.03, "fit": 0.82, "track": 0.14, "write": 0.01}
 """Share of each step in the time of a whole run, for the progress bar."""
+PATIENCE, PATIENCE_A_POINT = 2.0, 5e-6
+"""Seconds, in all and for each point, that the check of sizes waits for the points of a block which a worker reads: a busy machine takes
+1e-6 a point. Then they are read once more."""
 
 
 def run_register(survey: Survey, output: Path, options: RunOptions, feedback: Feedback) -> dict[str, Any]:
@@ -161,7 +164,11 @@ def _run(survey: Survey, output: Path, options: RunOptions, feedback: Feedback, 
     registrations: dict[str, Registration] = {}
 
     def look_beside() -> None:
-        check_sizes(survey, plans[0].tiles, feedback.part(start, start))
+        first = plans[0]
+        seconds = PATIENCE + PATIENCE_A_POINT * first.points if runner.has_company else 0.0
+        check_sizes(
+            survey, first.tiles, feedback.part(start, start), lambda: runner.clouds.awaited(first.blocks, seconds, feedback.is_cancelled)
+        )
         registrations.update(register_epochs(survey, plans, feedback))
 
     with job_runner(output, options, feedback, processes, keep_points=True) as runner:

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+import threading
+import time
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -71,3 +74,25 @@ def test_tiles_are_read_where_points_are_not_kept(tmp_path: Path, block: Block, 
     xyz, sources = clouds.points(block, CRS, window, ORIGIN)
     np.testing.assert_allclose(xyz, wanted.xyz, rtol=0, atol=1e-12)
     assert np.array_equal(sources, wanted.source_id)
+
+
+def test_a_whole_epoch_is_awaited_from_who_reads_it(tmp_path: Path, block: Block) -> None:
+    clouds, whole = BlockClouds(tmp_path), read_points(block.tiles, CRS)
+    grown = block.core.grown(5.0)
+    cloud = read_points(block.tiles, CRS, window=grown)
+    reader = threading.Timer(0.3, clouds.keep, (block, grown, cloud))
+    reader.start()
+    points = clouds.awaited([block], 60.0)
+    reader.join()
+    assert points is not None
+    assert np.array_equal(points - whole.origin, whole.xyz)
+
+
+@pytest.mark.parametrize("trouble", ["nobody reads it", "two blocks", "not kept", "thinned", "cancelled"])
+def test_an_epoch_that_nobody_keeps_is_not_awaited_for_long(tmp_path: Path, block: Block, trouble: str) -> None:
+    clouds = NOT_KEPT if trouble == "not kept" else BlockClouds(tmp_path)
+    tiles = tuple(replace(tile, thinned="means") for tile in block.tiles) if trouble == "thinned" else block.tiles
+    blocks = [replace(block, tiles=tiles)] * (2 if trouble == "two blocks" else 1)
+    start = time.monotonic()
+    assert clouds.awaited(blocks, 0.1 if trouble == "nobody reads it" else 600.0, lambda: trouble == "cancelled") is None
+    assert time.monotonic() - start < 60

@@ -23,6 +23,10 @@ def test_a_small_cloud_is_read_whole() -> None:
     whole = read_points(tiles, CRS)
     assert np.array_equal(points, whole.xyz)
     assert np.array_equal(origin, whole.origin)
+    # who has read it already is asked first
+    given, same = sample_points(tiles, CRS, whole=lambda: whole.xyz + whole.origin)
+    np.testing.assert_allclose(given, points, rtol=0, atol=1e-9)
+    assert np.array_equal(same, origin)
 
 
 def test_a_large_cloud_is_read_at_places_of_every_part(monkeypatch: pytest.MonkeyPatch) -> None:
