@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -41,6 +42,12 @@ MOST_DISC = 3
 """Times as many points about an end's plane as count show its disc: fewer may be of what lies beyond a break."""
 SHOWN, STRAY = 0.35, 0.03
 """Shares of a face's or an end's points, at the density of the leg, that are there where it is seen and where it is not."""
+OBLIQUITY = 0.25
+"""Standard deviation of a break's slopes across the leg (assumed: breaks that leave a side 10 cm longer than the other are common)."""
+SLOPES = 61
+"""Slopes of breaks, in either direction, by which it is asked which sides they leave."""
+RAREST = 1e-6
+"""Probability below which none is told."""
 INDEPENDENT = 0.15
 """Share of points that count as independent evidence: their neighbours see the same."""
 PRIOR_ODDS = math.log(0.02 / 0.98)
@@ -188,19 +195,21 @@ class LegView:
             return math.nan, 0.0
         # a side that stops may lie in the shadow of a neighbour: it proves nothing, one that goes on does; one that goes on to the tip and
         # stops there may end where the leg breaks
-        tip, end = (INDEPENDENT * self._side_support(on_side, part, shaft) for part in (TIP, END))
+        tip, end = (INDEPENDENT * self._side_support(on_side, part, shaft).sum() for part in (TIP, END))
         if tip > 0 and end > 0:
-            return PRIOR_ODDS - tip, 0.0
+            # an oblique break may leave one side as long
+            reaching = tuple(self._side_support(on_side, END, shaft) > 0)
+            return PRIOR_ODDS + max(-tip, math.log(left_by_breaks(self.unit, reaching))), 0.0
         support = INDEPENDENT * _support(disc, density * section)
         if disc >= LEAST_POINTS and support > 0:
             return PRIOR_ODDS - support, 0.0
         return math.nan, 0.0
 
-    def _side_support(self, on_side: BoolArray, part: tuple[float, float], shaft: FloatArray) -> float:
-        """Log-likelihood ratio of a part of a leg's side being there, in the sectors that show its shaft; ``shaft`` (SECTORS,) points."""
-        seen = shaft >= LEAST_POINTS
-        expected = shaft[seen].sum() * self._area(part) / self._area(SHAFT)
-        return _support(float(self._by_sector(on_side, part)[seen].sum()), float(expected))
+    def _side_support(self, on_side: BoolArray, part: tuple[float, float], shaft: FloatArray) -> FloatArray:
+        """(SECTORS,) log-likelihood ratios of a part of a leg's side being there; 0 in sectors that hide its ``shaft`` (SECTORS,)."""
+        expected = shaft * self._area(part) / self._area(SHAFT)
+        found = self._by_sector(on_side, part)
+        return np.where(shaft >= LEAST_POINTS, found * math.log(SHOWN / STRAY) - (SHOWN - STRAY) * expected, 0.0)
 
     def goes_on(self, leg: int) -> bool:
         """Whether the side of a leg is seen up to its end, in the sectors in which its shaft is."""
@@ -245,6 +254,19 @@ class LegView:
         """Area of one sector of a part of a leg's side, square metres."""
         radius = self.unit.radius - self.unit.gradient * 0.5 * sum(part) * self.unit.leg_length
         return 2 * math.pi * radius / SECTORS * (part[1] - part[0]) * self.unit.leg_length
+
+
+@lru_cache(maxsize=512)
+def left_by_breaks(unit: UnitType, sectors: tuple[bool, ...]) -> float:
+    """Probability that a break leaves a leg's side up to its end in all of the given sectors: breaks lie anywhere along ``FACE``, at slopes
+    of any direction, and reach farther out on one side."""
+    slope = np.linspace(-4, 4, SLOPES)
+    weight = np.exp(-0.5 * (slope[:, None] ** 2 + slope**2))
+    turn = (np.flatnonzero(sectors) + 0.5) / SECTORS * 2 * math.pi
+    farther = OBLIQUITY * unit.end_radius / unit.leg_length * (slope[:, None, None] * np.cos(turn) + slope[:, None] * np.sin(turn))
+    least = farther.min(axis=2, initial=np.inf) if len(turn) else np.zeros(weight.shape)
+    left = np.clip((FACE[1] + least - END[0]) / (FACE[1] - FACE[0]), 0.0, 1.0)
+    return float(max((weight * left).sum() / weight.sum(), RAREST))
 
 
 def _support(count: float, expected: float) -> float:

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.leg_ends import BROKEN, UNSEEN, WHOLE, LegView, leg_ends
+from tetratrack.core.segmentation.leg_ends import BROKEN, END, FACE, OBLIQUITY, UNSEEN, WHOLE, LegView, left_by_breaks, leg_ends
+from tetratrack.core.segmentation.seen_through import Passing
+from tetratrack.core.segmentation.sight_lines import SECTORS, leg_places
 
 UNIT = UnitType.tetrapod(2.3)
 
@@ -62,3 +64,46 @@ def test_nothing_is_said_of_an_end_that_is_not_seen() -> None:
     ends = leg_ends(LegView(points[~hidden], UNIT, 0.004))
     assert ends.states.tolist() == [WHOLE, UNSEEN, WHOLE, WHOLE]
     assert leg_ends(LegView(np.empty((0, 3)), UNIT, 0.0)).as_row()["leg_probability"] is None
+
+
+def whole_leg_seen_from(sectors: int, rng: np.random.Generator) -> np.ndarray:
+    """Points on a whole unit, of leg 3 but so many of the eight sectors around its side, and not its end."""
+    points, _, _ = sample_surface(UNIT, 40_000, rng)
+    leg, axial, _, sector = leg_places(points, UNIT)
+    return points[(leg != 2) | ((sector < sectors) & (axial < 0.99 * UNIT.leg_length))]
+
+
+def test_the_fewer_sides_go_on_to_the_end_the_less_they_say_that_it_is_whole() -> None:
+    """An oblique break leaves one side as long: a probability of nearly nothing was told from two sectors of eight."""
+    told = [leg_ends(LegView(whole_leg_seen_from(n, np.random.default_rng(n)), UNIT, 0.004)) for n in (1, 2, 4, 8)]
+    assert [int(ends.states[2]) for ends in told] == [WHOLE] * 4
+    probabilities = [float(ends.broken[2]) for ends in told]
+    assert probabilities == sorted(probabilities, reverse=True)
+    assert 5e-4 < probabilities[0] < 0.01
+    assert probabilities[-1] < 2e-4
+
+
+@pytest.mark.parametrize("sectors", [(0,), (2, 3), (7, 0, 1), (0, 4), tuple(range(8))])
+def test_breaks_leave_sides_as_often_as_is_said(sectors: tuple[int, ...]) -> None:
+    """Breaks drawn anywhere along the leg and at all slopes, and whether the sides in all of these sectors reach the end."""
+    rng, count = np.random.default_rng(3), 200_000
+    along = rng.uniform(*FACE, count) * UNIT.leg_length
+    slopes = rng.normal(0, OBLIQUITY, (count, 2))
+    turn = (np.array(sectors) + 0.5) / SECTORS * 2 * np.pi
+    reach = along[:, None] + UNIT.end_radius * (slopes[:, :1] * np.cos(turn) + slopes[:, 1:] * np.sin(turn))
+    left = np.mean((reach > END[0] * UNIT.leg_length).all(axis=1))
+    told = left_by_breaks(UNIT, tuple(k in sectors for k in range(SECTORS)))
+    assert told == pytest.approx(left, rel=0.1)
+
+
+def test_beams_tell_of_an_oblique_break_whose_longer_side_reaches_the_end() -> None:
+    """What the side says against a break is no more than such breaks are rare: beams through the missing part outweigh it."""
+    rng = np.random.default_rng(4)
+    points = whole_leg_seen_from(2, rng)
+    leg, axial, _, _ = leg_places(points, UNIT)
+    # the side thins out towards its end, as that of an oblique break does
+    kept = (leg != 2) | (axial < 0.9 * UNIT.leg_length) | (rng.random(len(points)) < 0.3)
+    view = LegView(points[kept], UNIT, 0.004)
+    for evidence, state in ((0.0, WHOLE), (4.0, WHOLE), (9.0, BROKEN)):
+        ends = leg_ends(view, beams=lambda leg, first, told=evidence: Passing(told if leg == 2 else 0.0, 0.8 * UNIT.leg_length))
+        assert ends.states.tolist() == [WHOLE, WHOLE, state, WHOLE]
