@@ -81,6 +81,12 @@ class DisplacementReport(ResultAlgorithm):
             tr("HTML in one file, or PDF; the ending decides."),
         )
 
+    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        ends = [bool(self.parameterAsString(parameters, name, context).strip()) for name in (self.FROM, self.TO)]
+        if ends[0] != ends[1]:
+            return False, tr("Give both epochs, or neither for the latest pair.")
+        return super().checkParameterValues(parameters, context)
+
     def more_arguments(self, parameters: dict[str, Any], context: QgsProcessingContext) -> list[str]:
         chosen = [
             ("--language", language_of(user_locale()) or "en"),

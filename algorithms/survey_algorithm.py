@@ -50,6 +50,7 @@ from .support.inputs import (
 from .support.layers import FIELD_TYPES, wkb_type
 from .support.point_files import FILE_COLUMNS
 from .support.translation import tr
+from .support.wording import few
 
 
 class SurveyAlgorithm(TetratrackAlgorithm):
@@ -182,8 +183,8 @@ def write_layers(
             raise QgsProcessingException(
                 tr("{layer} has no field {fields}; it has {present}.").format(
                     layer=source.name() if isinstance(source, QgsVectorLayer) else source.sourceName(),
-                    fields=", ".join(missing),
-                    present=", ".join(source.fields().names()),
+                    fields=few(missing),
+                    present=few(source.fields().names()),
                 )
             )
         for feature in source.getFeatures():

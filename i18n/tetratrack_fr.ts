@@ -274,6 +274,11 @@
       <translation>Rapport</translation>
     </message>
     <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Give both epochs, or neither for the latest pair.</source>
+      <translation>Indiquez les deux époques, ou aucune pour la paire la plus récente.</translation>
+    </message>
+    <message>
       <location filename="../algorithms/exportmodel.py" />
       <source>Export as-built model</source>
       <translation>Exporter le modèle tel que construit</translation>
@@ -2275,8 +2280,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
-      <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
-      <translation>flèche de 10 mm : {length} ; ellipse : 95 %</translation>
+      <source>arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %</source>
+      <translation>flèche de 10 mm : {length}, longueur maximale 30 mm ; ellipse : 95 %</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2720,6 +2725,11 @@
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
+      <source>Ended: nothing was stored.</source>
+      <translation>Terminé : rien n'a été enregistré.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
       <source>Pin by three joints</source>
       <translation>Fixer par trois jonctions</translation>
     </message>
@@ -2923,6 +2933,30 @@
       <source>Taken back: {kind} {unit}.</source>
       <translation>Repris : {kind} {unit}.</translation>
     </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n significant</source>
+      <translation>
+        <numerusform>%n significatif</numerusform>
+        <numerusform>%n significatifs</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n decided</source>
+      <translation>
+        <numerusform>%n décidé</numerusform>
+        <numerusform>%n décidés</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n rejected, excluded from statistics and map</source>
+      <translation>
+        <numerusform>%n rejeté, exclu des statistiques et de la carte</numerusform>
+        <numerusform>%n rejetés, exclus des statistiques et de la carte</numerusform>
+      </translation>
+    </message>
     <message>
       <location filename="../plugin/review_details.py" />
       <source>{legs}; {missing} missing, probability {share:.0%}</source>
@@ -2952,6 +2986,22 @@
       <location filename="../plugin/review_details.py" />
       <source>Difference</source>
       <translation>Écart</translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n lost</source>
+      <translation>
+        <numerusform>%n perdu</numerusform>
+        <numerusform>%n perdus</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n new</source>
+      <translation>
+        <numerusform>%n nouveau</numerusform>
+        <numerusform>%n nouveaux</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2995,6 +3045,11 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
+      <source>{length}, towards {azimuth}° from grid north</source>
+      <translation>{length}, vers {azimuth}° depuis le nord de la grille</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
       <source>Score of the fit, 0 to 1</source>
       <translation>Score de l'ajustement, 0 à 1</translation>
     </message>
@@ -3003,25 +3058,13 @@
       <source>Legs seen, of four</source>
       <translation>Jambes vues, sur quatre</translation>
     </message>
-    <message>
+    <message numerus="yes">
       <location filename="../plugin/review_details.py" />
-      <source>{shown} of {all} units shown</source>
-      <translation>{shown} blocs sur {all} montrés</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} significant</source>
-      <translation>{count} significatifs</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} decided</source>
-      <translation>{count} décidés</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} rejected, excluded from statistics and map</source>
-      <translation>{count} rejetés, exclus des statistiques et de la carte</translation>
+      <source>%n of {all} units shown</source>
+      <translation>
+        <numerusform>%n bloc sur {all} montré</numerusform>
+        <numerusform>%n blocs sur {all} montrés</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3050,16 +3093,6 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>{count} lost</source>
-      <translation>{count} perdus</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} new</source>
-      <translation>{count} nouveaux</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
       <source>largest {length}</source>
       <translation>maximum {length}</translation>
     </message>
@@ -3067,6 +3100,11 @@
       <location filename="../plugin/review_details.py" />
       <source>Seen in {epoch}</source>
       <translation>Vu en {epoch}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>± one standard deviation</source>
+      <translation>± un écart-type</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3082,6 +3120,14 @@
       <location filename="../plugin/review_details.py" />
       <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
       <translation>{feature}, {epoch} : pointé à {length} de l'ajustement ({who})</translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_dock.py" />
+      <source>%n units</source>
+      <translation>
+        <numerusform>%n bloc</numerusform>
+        <numerusform>%n blocs</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3195,6 +3241,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>Enter your name or initials first: they stand beside every decision.</source>
+      <translation>Entrez d'abord votre nom ou vos initiales : ils figurent à côté de chaque décision.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>Confirmed.</source>
       <translation>Confirmé.</translation>
     </message>
@@ -3217,6 +3268,11 @@
       <location filename="../plugin/review_dock.py" />
       <source>Make a polygon layer active first.</source>
       <translation>Activez d'abord une couche de polygones.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The active layer holds no polygon.</source>
+      <translation>La couche active ne contient aucun polygone.</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3258,10 +3314,13 @@
       <source>Report written to {name}.</source>
       <translation>Rapport écrit dans {name}.</translation>
     </message>
-    <message>
+    <message numerus="yes">
       <location filename="../plugin/review_dock.py" />
-      <source>{count} units written to {name}.</source>
-      <translation>{count} blocs écrits dans {name}.</translation>
+      <source>Units written to {name}: %n.</source>
+      <translation>
+        <numerusform>%n bloc écrit dans {name}.</numerusform>
+        <numerusform>%n blocs écrits dans {name}.</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_exports.py" />
@@ -3535,6 +3594,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>points picked</source>
+      <translation>points pointés</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>placeholder</source>
       <translation>emplacement réservé</translation>
     </message>
@@ -3660,6 +3724,11 @@
     </message>
     <message>
       <location filename="../plugin/series_view.py" />
+      <source>3D displacement since {epoch} ({unit}), bands of 95 %</source>
+      <translation>Déplacement 3D depuis {epoch} ({unit}), bandes à 95 %</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
       <source>No displacement of this unit</source>
       <translation>Aucun déplacement de ce bloc</translation>
     </message>
@@ -3667,11 +3736,6 @@
       <location filename="../plugin/series_view.py" />
       <source>centre</source>
       <translation>centre</translation>
-    </message>
-    <message>
-      <location filename="../plugin/series_view.py" />
-      <source>3D displacement ({unit})</source>
-      <translation>Déplacement 3D ({unit})</translation>
     </message>
     <message>
       <location filename="../plugin/series_view.py" />

@@ -274,6 +274,11 @@
       <translation>報告書</translation>
     </message>
     <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Give both epochs, or neither for the latest pair.</source>
+      <translation>エポックを両方指定するか、両方とも空にして最新の組を使ってください。</translation>
+    </message>
+    <message>
       <location filename="../algorithms/exportmodel.py" />
       <source>Export as-built model</source>
       <translation>出来形モデルの書き出し</translation>
@@ -2275,8 +2280,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
-      <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
-      <translation>10 mm の矢印：{length}、楕円：95 %</translation>
+      <source>arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %</source>
+      <translation>10 mm の矢印：{length}、最長 30 mm、楕円：95 %</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2720,6 +2725,11 @@
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
+      <source>Ended: nothing was stored.</source>
+      <translation>終了しました。何も保存していません。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
       <source>Pin by three joints</source>
       <translation>3 つの接合点で固定</translation>
     </message>
@@ -2923,6 +2933,27 @@
       <source>Taken back: {kind} {unit}.</source>
       <translation>取り消しました:{kind} {unit}。</translation>
     </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n significant</source>
+      <translation>
+        <numerusform>有意 %n</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n decided</source>
+      <translation>
+        <numerusform>判定済み %n</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n rejected, excluded from statistics and map</source>
+      <translation>
+        <numerusform>棄却 %n(統計と地図から除外)</numerusform>
+      </translation>
+    </message>
     <message>
       <location filename="../plugin/review_details.py" />
       <source>{legs}; {missing} missing, probability {share:.0%}</source>
@@ -2952,6 +2983,20 @@
       <location filename="../plugin/review_details.py" />
       <source>Difference</source>
       <translation>差</translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n lost</source>
+      <translation>
+        <numerusform>消失 %n</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n new</source>
+      <translation>
+        <numerusform>新規 %n</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2995,6 +3040,11 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
+      <source>{length}, towards {azimuth}° from grid north</source>
+      <translation>{length}、方眼北から {azimuth}° の方向</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
       <source>Score of the fit, 0 to 1</source>
       <translation>当てはめのスコア(0~1)</translation>
     </message>
@@ -3003,25 +3053,12 @@
       <source>Legs seen, of four</source>
       <translation>見える脚(4 本中)</translation>
     </message>
-    <message>
+    <message numerus="yes">
       <location filename="../plugin/review_details.py" />
-      <source>{shown} of {all} units shown</source>
-      <translation>{all} 個中 {shown} 個を表示</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} significant</source>
-      <translation>有意 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} decided</source>
-      <translation>判定済み {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} rejected, excluded from statistics and map</source>
-      <translation>棄却 {count}(統計と地図から除外)</translation>
+      <source>%n of {all} units shown</source>
+      <translation>
+        <numerusform>{all} 個中 %n 個を表示</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3050,16 +3087,6 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>{count} lost</source>
-      <translation>消失 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} new</source>
-      <translation>新規 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
       <source>largest {length}</source>
       <translation>最大 {length}</translation>
     </message>
@@ -3067,6 +3094,11 @@
       <location filename="../plugin/review_details.py" />
       <source>Seen in {epoch}</source>
       <translation>可視率({epoch})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>± one standard deviation</source>
+      <translation>± は標準偏差 1 倍</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3082,6 +3114,13 @@
       <location filename="../plugin/review_details.py" />
       <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
       <translation>{feature}、{epoch}:当てはめから {length} で読み取り({who})</translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_dock.py" />
+      <source>%n units</source>
+      <translation>
+        <numerusform>ブロック %n 個</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3195,6 +3234,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>Enter your name or initials first: they stand beside every decision.</source>
+      <translation>先に氏名またはイニシャルを入力してください。すべての判定に付記されます。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>Confirmed.</source>
       <translation>確認しました。</translation>
     </message>
@@ -3217,6 +3261,11 @@
       <location filename="../plugin/review_dock.py" />
       <source>Make a polygon layer active first.</source>
       <translation>先にポリゴンレイヤをアクティブにしてください。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The active layer holds no polygon.</source>
+      <translation>アクティブなレイヤにポリゴンがありません。</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3258,10 +3307,12 @@
       <source>Report written to {name}.</source>
       <translation>報告書を {name} に書き出しました。</translation>
     </message>
-    <message>
+    <message numerus="yes">
       <location filename="../plugin/review_dock.py" />
-      <source>{count} units written to {name}.</source>
-      <translation>{count} 個のブロックを {name} に書き出しました。</translation>
+      <source>Units written to {name}: %n.</source>
+      <translation>
+        <numerusform>%n 個のブロックを {name} に書き出しました。</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_exports.py" />
@@ -3535,6 +3586,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>points picked</source>
+      <translation>手動指定点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>placeholder</source>
       <translation>仮置き</translation>
     </message>
@@ -3660,6 +3716,11 @@
     </message>
     <message>
       <location filename="../plugin/series_view.py" />
+      <source>3D displacement since {epoch} ({unit}), bands of 95 %</source>
+      <translation>{epoch} からの3D変位({unit})、帯は95 %</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
       <source>No displacement of this unit</source>
       <translation>このブロックの変位はありません</translation>
     </message>
@@ -3667,11 +3728,6 @@
       <location filename="../plugin/series_view.py" />
       <source>centre</source>
       <translation>中心</translation>
-    </message>
-    <message>
-      <location filename="../plugin/series_view.py" />
-      <source>3D displacement ({unit})</source>
-      <translation>3D変位({unit})</translation>
     </message>
     <message>
       <location filename="../plugin/series_view.py" />

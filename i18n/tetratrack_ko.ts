@@ -274,6 +274,11 @@
       <translation>보고서</translation>
     </message>
     <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Give both epochs, or neither for the latest pair.</source>
+      <translation>에포크를 둘 다 지정하거나, 최신 쌍을 쓰려면 둘 다 비우십시오.</translation>
+    </message>
+    <message>
       <location filename="../algorithms/exportmodel.py" />
       <source>Export as-built model</source>
       <translation>준공 모델 내보내기</translation>
@@ -2275,8 +2280,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
-      <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
-      <translation>10 mm 화살표: {length}; 타원: 95 %</translation>
+      <source>arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %</source>
+      <translation>10 mm 화살표: {length}, 최대 30 mm; 타원: 95 %</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2720,6 +2725,11 @@
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
+      <source>Ended: nothing was stored.</source>
+      <translation>끝냈습니다. 저장하지 않았습니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
       <source>Pin by three joints</source>
       <translation>세 접합점으로 고정</translation>
     </message>
@@ -2923,6 +2933,27 @@
       <source>Taken back: {kind} {unit}.</source>
       <translation>되돌림: {kind} {unit}.</translation>
     </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n significant</source>
+      <translation>
+        <numerusform>유의 %n</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n decided</source>
+      <translation>
+        <numerusform>결정 %n</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n rejected, excluded from statistics and map</source>
+      <translation>
+        <numerusform>기각 %n, 통계와 지도에서 제외</numerusform>
+      </translation>
+    </message>
     <message>
       <location filename="../plugin/review_details.py" />
       <source>{legs}; {missing} missing, probability {share:.0%}</source>
@@ -2952,6 +2983,20 @@
       <location filename="../plugin/review_details.py" />
       <source>Difference</source>
       <translation>차이</translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n lost</source>
+      <translation>
+        <numerusform>소실 %n</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n new</source>
+      <translation>
+        <numerusform>신규 %n</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2995,6 +3040,11 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
+      <source>{length}, towards {azimuth}° from grid north</source>
+      <translation>{length}, 도북에서 {azimuth}° 방향</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
       <source>Score of the fit, 0 to 1</source>
       <translation>적합 점수 (0~1)</translation>
     </message>
@@ -3003,25 +3053,12 @@
       <source>Legs seen, of four</source>
       <translation>보이는 다리 (4개 중)</translation>
     </message>
-    <message>
+    <message numerus="yes">
       <location filename="../plugin/review_details.py" />
-      <source>{shown} of {all} units shown</source>
-      <translation>블록 {all}개 중 {shown}개 표시</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} significant</source>
-      <translation>유의 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} decided</source>
-      <translation>결정 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} rejected, excluded from statistics and map</source>
-      <translation>기각 {count}, 통계와 지도에서 제외</translation>
+      <source>%n of {all} units shown</source>
+      <translation>
+        <numerusform>블록 {all}개 중 %n개 표시</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3050,16 +3087,6 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>{count} lost</source>
-      <translation>소실 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} new</source>
-      <translation>신규 {count}</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
       <source>largest {length}</source>
       <translation>최대 {length}</translation>
     </message>
@@ -3067,6 +3094,11 @@
       <location filename="../plugin/review_details.py" />
       <source>Seen in {epoch}</source>
       <translation>{epoch}에 보임</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>± one standard deviation</source>
+      <translation>± 는 표준편차 1배</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3082,6 +3114,13 @@
       <location filename="../plugin/review_details.py" />
       <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
       <translation>{feature}, {epoch}: 맞춤에서 {length} 찍음({who})</translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_dock.py" />
+      <source>%n units</source>
+      <translation>
+        <numerusform>블록 %n개</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3195,6 +3234,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>Enter your name or initials first: they stand beside every decision.</source>
+      <translation>먼저 이름이나 머리글자를 입력하십시오. 모든 결정 옆에 기록됩니다.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>Confirmed.</source>
       <translation>확인했습니다.</translation>
     </message>
@@ -3217,6 +3261,11 @@
       <location filename="../plugin/review_dock.py" />
       <source>Make a polygon layer active first.</source>
       <translation>먼저 폴리곤 레이어를 활성화하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The active layer holds no polygon.</source>
+      <translation>활성 레이어에 폴리곤이 없습니다.</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3258,10 +3307,12 @@
       <source>Report written to {name}.</source>
       <translation>보고서를 {name}에 썼습니다.</translation>
     </message>
-    <message>
+    <message numerus="yes">
       <location filename="../plugin/review_dock.py" />
-      <source>{count} units written to {name}.</source>
-      <translation>블록 {count}개를 {name}에 썼습니다.</translation>
+      <source>Units written to {name}: %n.</source>
+      <translation>
+        <numerusform>블록 %n개를 {name}에 썼습니다.</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_exports.py" />
@@ -3535,6 +3586,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>points picked</source>
+      <translation>수동 선택점</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>placeholder</source>
       <translation>자리표시</translation>
     </message>
@@ -3660,6 +3716,11 @@
     </message>
     <message>
       <location filename="../plugin/series_view.py" />
+      <source>3D displacement since {epoch} ({unit}), bands of 95 %</source>
+      <translation>{epoch} 이후 3D 변위({unit}), 띠는 95 %</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
       <source>No displacement of this unit</source>
       <translation>이 블록의 변위 없음</translation>
     </message>
@@ -3667,11 +3728,6 @@
       <location filename="../plugin/series_view.py" />
       <source>centre</source>
       <translation>중심</translation>
-    </message>
-    <message>
-      <location filename="../plugin/series_view.py" />
-      <source>3D displacement ({unit})</source>
-      <translation>3D 변위({unit})</translation>
     </message>
     <message>
       <location filename="../plugin/series_view.py" />

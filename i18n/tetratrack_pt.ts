@@ -274,6 +274,11 @@
       <translation>Relatório</translation>
     </message>
     <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Give both epochs, or neither for the latest pair.</source>
+      <translation>Indique as duas épocas, ou nenhuma para o par mais recente.</translation>
+    </message>
+    <message>
       <location filename="../algorithms/exportmodel.py" />
       <source>Export as-built model</source>
       <translation>Exportar modelo conforme construído</translation>
@@ -2275,8 +2280,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
-      <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
-      <translation>seta de 10 mm: {length}; elipse: 95 %</translation>
+      <source>arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %</source>
+      <translation>seta de 10 mm: {length}, no máximo 30 mm; elipse: 95 %</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2720,6 +2725,11 @@
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
+      <source>Ended: nothing was stored.</source>
+      <translation>Terminado: nada foi guardado.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
       <source>Pin by three joints</source>
       <translation>Fixar por três junções</translation>
     </message>
@@ -2923,6 +2933,30 @@
       <source>Taken back: {kind} {unit}.</source>
       <translation>Retirado: {kind} {unit}.</translation>
     </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n significant</source>
+      <translation>
+        <numerusform>%n significativo</numerusform>
+        <numerusform>%n significativos</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n decided</source>
+      <translation>
+        <numerusform>%n decidido</numerusform>
+        <numerusform>%n decididos</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n rejected, excluded from statistics and map</source>
+      <translation>
+        <numerusform>%n rejeitado, fora das estatísticas e do mapa</numerusform>
+        <numerusform>%n rejeitados, fora das estatísticas e do mapa</numerusform>
+      </translation>
+    </message>
     <message>
       <location filename="../plugin/review_details.py" />
       <source>{legs}; {missing} missing, probability {share:.0%}</source>
@@ -2952,6 +2986,22 @@
       <location filename="../plugin/review_details.py" />
       <source>Difference</source>
       <translation>Diferença</translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n lost</source>
+      <translation>
+        <numerusform>%n perdido</numerusform>
+        <numerusform>%n perdidos</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n new</source>
+      <translation>
+        <numerusform>%n novo</numerusform>
+        <numerusform>%n novos</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2995,6 +3045,11 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
+      <source>{length}, towards {azimuth}° from grid north</source>
+      <translation>{length}, para {azimuth}° a partir do norte da quadrícula</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
       <source>Score of the fit, 0 to 1</source>
       <translation>Pontuação do ajuste, 0 a 1</translation>
     </message>
@@ -3003,25 +3058,13 @@
       <source>Legs seen, of four</source>
       <translation>Pernas vistas, de quatro</translation>
     </message>
-    <message>
+    <message numerus="yes">
       <location filename="../plugin/review_details.py" />
-      <source>{shown} of {all} units shown</source>
-      <translation>{shown} de {all} blocos mostrados</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} significant</source>
-      <translation>{count} significativos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} decided</source>
-      <translation>{count} decididos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} rejected, excluded from statistics and map</source>
-      <translation>{count} rejeitados, fora das estatísticas e do mapa</translation>
+      <source>%n of {all} units shown</source>
+      <translation>
+        <numerusform>%n de {all} blocos mostrado</numerusform>
+        <numerusform>%n de {all} blocos mostrados</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3050,16 +3093,6 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>{count} lost</source>
-      <translation>{count} perdidos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} new</source>
-      <translation>{count} novos</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
       <source>largest {length}</source>
       <translation>máximo {length}</translation>
     </message>
@@ -3067,6 +3100,11 @@
       <location filename="../plugin/review_details.py" />
       <source>Seen in {epoch}</source>
       <translation>Visto em {epoch}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>± one standard deviation</source>
+      <translation>± um desvio-padrão</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3082,6 +3120,14 @@
       <location filename="../plugin/review_details.py" />
       <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
       <translation>{feature}, {epoch}: marcado a {length} do ajustamento ({who})</translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_dock.py" />
+      <source>%n units</source>
+      <translation>
+        <numerusform>%n bloco</numerusform>
+        <numerusform>%n blocos</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3195,6 +3241,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>Enter your name or initials first: they stand beside every decision.</source>
+      <translation>Introduza primeiro o seu nome ou iniciais: ficam ao lado de cada decisão.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>Confirmed.</source>
       <translation>Confirmado.</translation>
     </message>
@@ -3217,6 +3268,11 @@
       <location filename="../plugin/review_dock.py" />
       <source>Make a polygon layer active first.</source>
       <translation>Ative primeiro uma camada de polígonos.</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The active layer holds no polygon.</source>
+      <translation>A camada ativa não contém nenhum polígono.</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3258,10 +3314,13 @@
       <source>Report written to {name}.</source>
       <translation>Relatório escrito em {name}.</translation>
     </message>
-    <message>
+    <message numerus="yes">
       <location filename="../plugin/review_dock.py" />
-      <source>{count} units written to {name}.</source>
-      <translation>{count} blocos escritos em {name}.</translation>
+      <source>Units written to {name}: %n.</source>
+      <translation>
+        <numerusform>%n bloco escrito em {name}.</numerusform>
+        <numerusform>%n blocos escritos em {name}.</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_exports.py" />
@@ -3535,6 +3594,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>points picked</source>
+      <translation>pontos marcados</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>placeholder</source>
       <translation>marcador</translation>
     </message>
@@ -3660,6 +3724,11 @@
     </message>
     <message>
       <location filename="../plugin/series_view.py" />
+      <source>3D displacement since {epoch} ({unit}), bands of 95 %</source>
+      <translation>Deslocamento 3D desde {epoch} ({unit}), bandas de 95 %</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
       <source>No displacement of this unit</source>
       <translation>Sem deslocamento deste bloco</translation>
     </message>
@@ -3667,11 +3736,6 @@
       <location filename="../plugin/series_view.py" />
       <source>centre</source>
       <translation>centro</translation>
-    </message>
-    <message>
-      <location filename="../plugin/series_view.py" />
-      <source>3D displacement ({unit})</source>
-      <translation>Deslocamento 3D ({unit})</translation>
     </message>
     <message>
       <location filename="../plugin/series_view.py" />

@@ -274,6 +274,11 @@
       <translation>报告</translation>
     </message>
     <message>
+      <location filename="../algorithms/displacementreport.py" />
+      <source>Give both epochs, or neither for the latest pair.</source>
+      <translation>请给出两个期次,或都留空以取最新的一对。</translation>
+    </message>
+    <message>
       <location filename="../algorithms/exportmodel.py" />
       <source>Export as-built model</source>
       <translation>导出竣工模型</translation>
@@ -2275,8 +2280,8 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
-      <source>arrow of 10 mm: {length}; ellipse: 95 %</source>
-      <translation>10 mm 箭头：{length}；椭圆：95 %</translation>
+      <source>arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %</source>
+      <translation>10 mm 箭头：{length}，最长 30 mm；椭圆：95 %</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2720,6 +2725,11 @@
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
+      <source>Ended: nothing was stored.</source>
+      <translation>已结束：未保存任何内容。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_corrections.py" />
       <source>Pin by three joints</source>
       <translation>用三个接合点固定</translation>
     </message>
@@ -2923,6 +2933,27 @@
       <source>Taken back: {kind} {unit}.</source>
       <translation>已撤回:{kind} {unit}。</translation>
     </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n significant</source>
+      <translation>
+        <numerusform>%n 个显著</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n decided</source>
+      <translation>
+        <numerusform>%n 个已决定</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n rejected, excluded from statistics and map</source>
+      <translation>
+        <numerusform>%n 个被否决,不计入统计和地图</numerusform>
+      </translation>
+    </message>
     <message>
       <location filename="../plugin/review_details.py" />
       <source>{legs}; {missing} missing, probability {share:.0%}</source>
@@ -2952,6 +2983,20 @@
       <location filename="../plugin/review_details.py" />
       <source>Difference</source>
       <translation>差值</translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n lost</source>
+      <translation>
+        <numerusform>%n 个消失</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n new</source>
+      <translation>
+        <numerusform>%n 个新增</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2995,6 +3040,11 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
+      <source>{length}, towards {azimuth}° from grid north</source>
+      <translation>{length},朝向坐标北起 {azimuth}°</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
       <source>Score of the fit, 0 to 1</source>
       <translation>拟合得分(0 到 1)</translation>
     </message>
@@ -3003,25 +3053,12 @@
       <source>Legs seen, of four</source>
       <translation>可见的腿(共四条)</translation>
     </message>
-    <message>
+    <message numerus="yes">
       <location filename="../plugin/review_details.py" />
-      <source>{shown} of {all} units shown</source>
-      <translation>显示 {all} 个块体中的 {shown} 个</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} significant</source>
-      <translation>{count} 个显著</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} decided</source>
-      <translation>{count} 个已决定</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} rejected, excluded from statistics and map</source>
-      <translation>{count} 个被否决,不计入统计和地图</translation>
+      <source>%n of {all} units shown</source>
+      <translation>
+        <numerusform>显示 {all} 个块体中的 %n 个</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3050,16 +3087,6 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>{count} lost</source>
-      <translation>{count} 个消失</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
-      <source>{count} new</source>
-      <translation>{count} 个新增</translation>
-    </message>
-    <message>
-      <location filename="../plugin/review_details.py" />
       <source>largest {length}</source>
       <translation>最大 {length}</translation>
     </message>
@@ -3067,6 +3094,11 @@
       <location filename="../plugin/review_details.py" />
       <source>Seen in {epoch}</source>
       <translation>{epoch} 可见</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>± one standard deviation</source>
+      <translation>± 为一倍标准差</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3082,6 +3114,13 @@
       <location filename="../plugin/review_details.py" />
       <source>{feature}, {epoch}: picked {length} from the fit ({who})</source>
       <translation>{feature},{epoch}:点选距拟合 {length}({who})</translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_dock.py" />
+      <source>%n units</source>
+      <translation>
+        <numerusform>%n 个块体</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3195,6 +3234,11 @@
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
+      <source>Enter your name or initials first: they stand beside every decision.</source>
+      <translation>请先输入您的姓名或缩写,它会显示在每个决定旁边。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
       <source>Confirmed.</source>
       <translation>已确认。</translation>
     </message>
@@ -3217,6 +3261,11 @@
       <location filename="../plugin/review_dock.py" />
       <source>Make a polygon layer active first.</source>
       <translation>请先激活一个多边形图层。</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_dock.py" />
+      <source>The active layer holds no polygon.</source>
+      <translation>活动图层中没有多边形。</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3258,10 +3307,12 @@
       <source>Report written to {name}.</source>
       <translation>报告已写入 {name}。</translation>
     </message>
-    <message>
+    <message numerus="yes">
       <location filename="../plugin/review_dock.py" />
-      <source>{count} units written to {name}.</source>
-      <translation>{count} 个块体已写入 {name}。</translation>
+      <source>Units written to {name}: %n.</source>
+      <translation>
+        <numerusform>%n 个块体已写入 {name}。</numerusform>
+      </translation>
     </message>
     <message>
       <location filename="../plugin/review_exports.py" />
@@ -3535,6 +3586,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>points picked</source>
+      <translation>拾取的点</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>placeholder</source>
       <translation>占位</translation>
     </message>
@@ -3660,6 +3716,11 @@
     </message>
     <message>
       <location filename="../plugin/series_view.py" />
+      <source>3D displacement since {epoch} ({unit}), bands of 95 %</source>
+      <translation>自 {epoch} 以来的三维位移({unit}),带宽为 95 %</translation>
+    </message>
+    <message>
+      <location filename="../plugin/series_view.py" />
       <source>No displacement of this unit</source>
       <translation>该块体没有位移</translation>
     </message>
@@ -3667,11 +3728,6 @@
       <location filename="../plugin/series_view.py" />
       <source>centre</source>
       <translation>中心</translation>
-    </message>
-    <message>
-      <location filename="../plugin/series_view.py" />
-      <source>3D displacement ({unit})</source>
-      <translation>三维位移({unit})</translation>
     </message>
     <message>
       <location filename="../plugin/series_view.py" />

@@ -22,10 +22,11 @@ from qgis.core import (
     QgsReadWriteContext,
 )
 from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtCore import QLocale
 from qgis.PyQt.QtGui import QFont
 from qgis.PyQt.QtXml import QDomDocument
 
-from ..algorithms.support.layers import legend_label
+from ..algorithms.support.layers import ARROW_LABEL, legend_label
 from ..algorithms.support.lengths import round_below
 from ..algorithms.support.translation import tr
 from .review_store import ReviewStore
@@ -33,8 +34,6 @@ from .review_text import datum_label
 
 TEMPLATE = Path(__file__).resolve().parent / "templates" / "displacements_a4.qpt"
 """The page as it ships; a copy of it with a head of one's own can be chosen in QGIS's layout manager."""
-ARROW_SCALE = "arrow of 10 mm: 50 mm; ellipse: 95 %"
-"""Label of the shipped styles that says how long arrows are."""
 PAGE, MARGIN, SIDE = (297.0, 210.0), 8.0, 68.0
 """A4 across, its margin, and the width of the column beside the map, millimetres."""
 HEAD, FOOT = 16.0, 24.0
@@ -122,9 +121,8 @@ def make_page(project: QgsProject, canvas: QgsMapCanvas, store: ReviewStore, tit
     page_map.zoomToExtent(canvas.extent())
     page_map.setScale(next((scale for scale in ROUND_SCALES if scale >= page_map.scale()), page_map.scale()))
     layout.itemById("title").setText(title or tr("Displacements of armour units") + f": {store.path.stem}")
-    layout.itemById("subtitle").setText(
-        tr("{pair}, datum: {datum}").format(pair=store.pair, datum=datum_label(store.datum)) + f"   1 : {page_map.scale():,.0f}"
-    )
+    compared = tr("{pair}, datum: {datum}").format(pair=store.pair, datum=datum_label(store.datum))
+    layout.itemById("subtitle").setText(f"{compared}   1 : {QLocale().toString(round(page_map.scale()))}")
     bar: Any = layout.itemById("scale_bar")
     bar.setLinkedMap(page_map)
     _fit_bar(bar, page_map)
@@ -132,7 +130,7 @@ def make_page(project: QgsProject, canvas: QgsMapCanvas, store: ReviewStore, tit
     layout.itemById("north").setPicturePath(_north_arrow())
     layout.itemById("north").setLinkedMap(page_map)
     crs = page_map.crs()
-    scale = legend_label(ARROW_SCALE)
+    scale = legend_label(ARROW_LABEL)
     layout.itemById("note").setText(f"{scale}\n{crs.authid()} {crs.description()}\ntetratrack, {store.path.name}")
     manager.addLayout(layout)
     return layout

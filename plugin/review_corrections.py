@@ -138,7 +138,7 @@ class ReviewCorrections:
         self._picking = picking
         self._tool = ClickTool(self.map.canvas)
         self._tool.clicked.connect(self._clicked_map)
-        self._tool.left.connect(self.end_picking)
+        self._tool.left.connect(self.leave)
         self._old_tool = self.map.canvas.mapTool()
         self.map.canvas.setMapTool(self._tool)
         self._tabs.set_picking(epoch)
@@ -161,6 +161,13 @@ class ReviewCorrections:
                 self.map.canvas.setMapTool(self._old_tool)
             self._tool.deleteLater()
         self._tool = self._old_tool = None
+
+    def leave(self) -> None:
+        """End picking because the user pressed Escape, on the map or in the dock, and say so."""
+        if self._picking is None:
+            return
+        self.end_picking()
+        self._status.say(tr("Ended: nothing was stored."))
 
     def add_pick(self, point: FloatArray) -> None:
         """Take one click into the correction that is going on."""
@@ -245,8 +252,8 @@ class ReviewCorrections:
             sd=np.full(3, sd),
             sd_rotation_deg=turn,
         )
-        set_pose(self.store.path, unit, epoch, pose, editor=self._editor, comment=tr("pinned by three joints"))
-        store_picks(self.store.path, unit, epoch, dict(zip(names, points, strict=True)), editor=self._editor)
+        picks = dict(zip(names, points, strict=True))
+        set_pose(self.store.path, unit, epoch, pose, editor=self._editor, comment=tr("pinned by three joints"), picks=picks)
         self.reload()
         self._status.say(tr("{unit} pinned; the picks fit within {length}.").format(unit=unit, length=length_format().text(misfit)))
 

@@ -8,13 +8,13 @@ import math
 import numpy as np
 from qgis.PyQt.QtGui import QPalette
 
-from ..algorithms.support.lengths import decimal, length_format
+from ..algorithms.support.lengths import LengthFormat, decimal, length_format
 from ..algorithms.support.translation import tr
 from ..core.results.geopackage_reader import Row
 from ..core.results.unit_rows import CheckComparison, UnitDetails, UnitRow, check_comparisons
 from ..core.review.corrections import read_edits, read_picks
 from .review_store import ReviewStore
-from .review_text import action_label, decision_colour, decision_label, edit_label, kind_label
+from .review_text import action_label, datum_label, decision_colour, decision_label, edit_label, kind_label
 
 LEAST_P = 0.0001
 """Smallest p-value written as a number."""
@@ -26,10 +26,12 @@ def numbers_html(store: ReviewStore, unit: str) -> str:
     if row is None:
         return ""
     pair = store.pair
+    compared = tr("{pair}, datum: {datum}").format(pair=pair, datum=datum_label(store.datum))
     fit = details.rows.get(pair.epoch_to) or details.rows.get(pair.epoch_from) or {}
     return "".join(
         [
             f"<h3>{html.escape(unit)} – {html.escape(kind_label(row.kind))}</h3>",
+            f"<p>{html.escape(compared)}<br>{html.escape(tr('± one standard deviation'))}</p>",
             "<table cellspacing='0' cellpadding='3'>",
             *_displacement_lines(row),
             *_quality_lines(fit, str(fit.get("epoch") or "")),
@@ -59,18 +61,19 @@ def history_html(store: ReviewStore, unit: str) -> str:
 def counts_html(store: ReviewStore, palette: QPalette) -> str:
     """Counts of the pair; what is left out because it was rejected stands out in the palette's colour for that."""
     numbers = store.statistics()
-    parts = [tr("{shown} of {all} units shown").format(shown=len(store.order), all=len(store.rows))]
-    parts.append(tr("{count} significant").format(count=numbers.significant))
+    parts = [tr("%n of {all} units shown", len(store.order)).format(all=len(store.rows))]
+    parts.append(tr("%n significant", numbers.significant))
     if numbers.lost:
-        parts.append(tr("{count} lost").format(count=numbers.lost))
+        parts.append(tr("%n lost", numbers.lost))
     if numbers.new:
-        parts.append(tr("{count} new").format(count=numbers.new))
+        parts.append(tr("%n new", numbers.new))
     if numbers.largest is not None:
         parts.append(tr("largest {length}").format(length=length_format().text(numbers.largest)))
-    parts.append(tr("{count} decided").format(count=numbers.decided + numbers.rejected))
-    text = html.escape("  ·  ".join(parts))
+    parts.append(tr("%n decided", numbers.decided + numbers.rejected))
+    # a number stays on the line of its word
+    text = html.escape("  ·  ".join(part.replace(" ", "\u00a0") for part in parts))
     if numbers.rejected:
-        rejected = tr("{count} rejected, excluded from statistics and map").format(count=numbers.rejected)
+        rejected = tr("%n rejected, excluded from statistics and map", numbers.rejected)
         text += f" · <b style='color:{decision_colour('rejected', palette).name()}'>{html.escape(rejected)}</b>"
     return text
 
@@ -82,17 +85,18 @@ def _line(name: str, value: str) -> str:
 def _displacement_lines(row: UnitRow) -> list[str]:
     if row.vector is None or row.sd is None or row.d_3d is None:
         return [_line(tr("Displacement"), tr("none: one of the two positions is not known"))]
-    lengths = length_format()
+    # models in a tank have standard deviations that metres would round to nothing
+    lengths = length_format().telling(float(row.sd.min()))
     height = row.height or math.nan
     lines = [
-        _line(tr("3D displacement"), f"{lengths.text(row.d_3d)} ± {lengths.number(row.sd_3d)}"),
+        _line(tr("3D displacement"), f"{lengths.number(row.d_3d)} ± {lengths.text(row.sd_3d)}"),
         _line(
             tr("in heights H, in nominal diameters Dn"), f"{decimal(row.d_3d / height, 3)} H, {decimal(row.d_over_dn or math.nan, 3)} Dn"
         ),
     ]
     for name, part, sd in zip((tr("Easting"), tr("Northing"), tr("Height")), row.vector, row.sd, strict=True):
-        lines.append(_line(name, f"{lengths.signed(part)} ± {lengths.number(sd)}"))
-    lines.append(_line(tr("Horizontal"), lengths.text(row.d_horizontal)))
+        lines.append(_line(name, f"{lengths.signed(part)} ± {lengths.text(sd)}"))
+    lines.append(_line(tr("Horizontal"), _with_direction(row, lengths)))
     if row.rotation_deg is not None:
         sd_rotation = f" ± {decimal(row.sd_rotation_deg, 2)}°" if row.sd_rotation_deg is not None else ""
         lines.append(_line(tr("Rotation"), f"{decimal(row.rotation_deg, 2)}°{sd_rotation}"))
@@ -102,6 +106,15 @@ def _displacement_lines(row: UnitRow) -> list[str]:
         lines.append(_line(tr("Test against no motion"), f"{p}, {verdict}"))
     lines.append(_line(tr("Detection limit"), lengths.text(row.detection_limit)))
     return lines
+
+
+def _with_direction(row: UnitRow, lengths: LengthFormat) -> str:
+    """Horizontal displacement, and for a significant one whither it goes: of the others noise alone decides that."""
+    length = lengths.text(row.d_horizontal)
+    if row.vector is None or not row.significant:
+        return length
+    azimuth = round(math.degrees(math.atan2(row.vector[0], row.vector[1]))) % 360
+    return tr("{length}, towards {azimuth}° from grid north").format(length=length, azimuth=azimuth)
 
 
 def _quality_lines(fit: Row, epoch: str) -> list[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -10,7 +10,7 @@ from typing import Any
 from qgis.core import Qgis, QgsApplication, QgsPointXY, QgsPrintLayout, QgsProject, QgsSettings, QgsVectorLayer
 from qgis.gui import QgsDockWidget, QgsMapCanvas, QgsMapTool
 from qgis.PyQt.QtCore import QSize, Qt, QTimer
-from qgis.PyQt.QtGui import QAction, QCloseEvent, QResizeEvent
+from qgis.PyQt.QtGui import QAction, QCloseEvent, QKeyEvent, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QFileDialog,
     QInputDialog,
@@ -38,7 +38,7 @@ from .review_corrections import ReviewCorrections
 from .review_details import counts_html
 from .review_exports import ReviewExports
 from .review_map import ReviewMap
-from .review_panels import MOST_METRES, SPACING, ComparisonChoice, DecisionPanel, FilterPanel, StatusLine
+from .review_panels import MOST_METRES, SPACING, ComparisonChoice, DecisionPanel, FilterPanel, StatusLine, YieldingLabel
 from .review_pick import ClickTool, PickTool
 from .review_store import ReviewStore, Topic
 from .review_table import ReviewModel, ReviewTable
@@ -49,6 +49,8 @@ from .view_3d import open_view
 
 FILTER_MAP_SETTING = "tetratrack/review_filter_map"
 FOLLOW_SETTING = "tetratrack/review_follow"
+MOST_NAMES = 60
+"""Letters of the names of units that a message holds."""
 OTHERS_MILLISECONDS = 2000
 """How often the decisions of other reviewers are taken in."""
 
@@ -171,7 +173,7 @@ class ReviewDock(QgsDockWidget):
         self._pages.addWidget(start)
         self._pages.addWidget(body)
         self.setWidget(self._pages)
-        self._counts, answer = QLabel(body), QLabel(body)
+        self._counts, answer = YieldingLabel(body), QLabel(body)
         self._counts.setObjectName("review_counts")
         self._counts.setTextFormat(Qt.TextFormat.RichText)
         answer.setObjectName("review_status")
@@ -202,9 +204,9 @@ class ReviewDock(QgsDockWidget):
             page.addWidget(part)
         page.addWidget(self._splitter, 1)
         page.addWidget(self.decisions)
-        for label in (self._counts, answer):
-            label.setWordWrap(True)
-            page.addWidget(label)
+        answer.setWordWrap(True)
+        page.addWidget(self._counts)
+        page.addWidget(answer)
         reach_all(self)
 
     def _toolbar(self, parent: QWidget) -> QToolBar:
@@ -240,6 +242,12 @@ class ReviewDock(QgsDockWidget):
         action = bar.addAction(QgsApplication.getThemeIcon(icon), text)
         action.triggered.connect(lambda checked=False: run())
         return action
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape ends picking here as well: views and table have the focus as often as the map."""
+        if event.key() == Qt.Key.Key_Escape and self.corrections is not None:
+            self.corrections.leave()
+        super().keyPressEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Table above the views in a tall dock, beside them in a wide one."""
@@ -308,7 +316,11 @@ class ReviewDock(QgsDockWidget):
             if not isinstance(layer, QgsVectorLayer) or layer.geometryType() != Qgis.GeometryType.Polygon:
                 self.status.say(tr("Make a polygon layer active first."), bad=True)
                 return
-            self.store.set_filter(area=self.map.polygon_rings(layer))
+            rings = self.map.polygon_rings(layer)
+            if not rings:
+                self.status.say(tr("The active layer holds no polygon."), bad=True)
+                return
+            self.store.set_filter(area=rings)
             self.filters.area.setText(tr("In polygons"))
         elif kind == "map":
             self.store.set_filter(area=(self.map.extent_ring(),))
@@ -390,23 +402,30 @@ class ReviewDock(QgsDockWidget):
     def decide(self, decision: Decision) -> None:
         """Store a decision on the selected units."""
         store = self.store
-        if store is None:
+        if store is None or not self._can_act(store):
             return
-        units = ", ".join(store.selected)
         reviewer, comment = self.decisions.reviewer.text(), self.decisions.comment.text().strip()
         if self.status.attempt(lambda: store.decide(decision, reviewer=reviewer, comment=comment)):
-            self.status.say(
-                tr("{units}: {decision}, stored.").format(
-                    units=units if len(units) < 60 else len(store.selected), decision=decision_label(decision)
-                )
-            )
+            self.status.say(tr("{units}: {decision}, stored.").format(units=_named(store.selected), decision=decision_label(decision)))
             self.decisions.comment.clear()
+
+    def _can_act(self, store: ReviewStore) -> bool:
+        """Whether there is a unit to decide on and a name to decide in, with the reason said where there is none."""
+        reason = ""
+        if not store.selected:
+            reason = tr("Select a unit first.")
+        elif not self.decisions.reviewer.text().strip():
+            reason = tr("Enter your name or initials first: they stand beside every decision.")
+            self.decisions.reviewer.setFocus()
+        if reason:
+            self.status.say(reason, bad=True)
+        return not reason
 
     def confirm(self) -> None:
         """Confirm another reviewer's decisions on the selected units."""
         reviewer, comment = self.decisions.reviewer.text(), self.decisions.comment.text().strip()
         store = self.store
-        if store is not None and self.status.attempt(lambda: store.confirm(reviewer=reviewer, comment=comment)):
+        if store is not None and self._can_act(store) and self.status.attempt(lambda: store.confirm(reviewer=reviewer, comment=comment)):
             self.status.say(tr("Confirmed."))
             self.decisions.comment.clear()
 
@@ -414,7 +433,7 @@ class ReviewDock(QgsDockWidget):
         """Take back the last decision or confirmation of this reviewer."""
         reviewer, store = self.decisions.reviewer.text(), self.store
         if store is not None and self.status.attempt(lambda: store.select(store.undo(reviewer=reviewer))):
-            self.status.say(tr("Taken back: {units}.").format(units=", ".join(store.selected)))
+            self.status.say(tr("Taken back: {units}.").format(units=_named(store.selected)))
 
     def _read_points(self) -> None:
         if self.corrections is not None:
@@ -505,7 +524,7 @@ class ReviewDock(QgsDockWidget):
         if store is None:
             return
         if self.status.attempt(lambda: counted.append(write_alarms(store.path, path, threshold, pair=store.pair, datum=store.datum))):
-            self.status.say(tr("{count} units written to {name}.").format(count=counted[0], name=path.name))
+            self.status.say(tr("Units written to {name}: %n.", counted[0]).format(name=path.name))
 
     def start_engine(self, title: str, arguments: list[str], success: str, written: Path | None = None) -> None:
         """Run the engine in the background; show what it changed and say ``success`` with a link to the file written, or why it failed."""
@@ -526,3 +545,9 @@ class ReviewDock(QgsDockWidget):
         self._tasks.append(task)
         QgsApplication.taskManager().addTask(task)
         self.status.say(tr("{title}…").format(title=title))
+
+
+def _named(units: Sequence[str]) -> str:
+    """Units by their names, or many of them by how many they are."""
+    names = ", ".join(units)
+    return names if len(names) < MOST_NAMES else tr("%n units", len(units))

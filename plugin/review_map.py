@@ -247,8 +247,12 @@ class ReviewMap(QObject):
             self.canvas.flashGeometries([circle], self.units.crs())
 
     def zoom_to_all(self) -> None:
-        """Show all units."""
+        """Show all units, with their bodies where they lay and where they lie now."""
         extent = self.units.extent()
+        if self.outlines.isValid() and not self.outlines.extent().isEmpty():
+            extent.combineExtentWith(self.outlines.extent())
+        # a single unit of a result without outlines is a point
+        extent = extent.buffered(max((row.height or 0.0 for row in self.store.rows), default=0.0) / 2)
         if extent.isEmpty():
             return
         corners = QgsCoordinateTransform(self.units.crs(), self.canvas.mapSettings().destinationCrs(), self.project)
@@ -329,6 +333,8 @@ class ReviewMap(QObject):
         transform = QgsCoordinateTransform(layer.crs(), self.units.crs(), self.project)
         rings = []
         for feature in features:
+            if not feature.hasGeometry():
+                continue
             geometry = QgsGeometry(feature.geometry())
             geometry.transform(transform)
             parts = geometry.asMultiPolygon() if geometry.isMultipart() else [geometry.asPolygon()]

@@ -10,7 +10,8 @@ from typing import Any
 
 from qgis.core import QgsSettings
 from qgis.gui import QgsCheckableComboBox, QgsFilterLineEdit
-from qgis.PyQt.QtCore import QEventLoop, Qt, QUrl, pyqtSignal
+from qgis.PyQt.QtCore import QEventLoop, QSize, Qt, QUrl, pyqtSignal
+from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QApplication,
     QBoxLayout,
@@ -42,6 +43,35 @@ DRAW_MILLISECONDS = 20
 """Longest time for drawing at once while a file is read."""
 MOST_METRES, STEP_METRES = 10.0, 0.01
 """Largest value and step of the least displacement shown."""
+
+
+class YieldingLabel(QLabel):
+    """Wrapped text whose later lines give way where the window is short; the tooltip then holds all of it."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWordWrap(True)
+        self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+
+    def hasHeightForWidth(self) -> bool:
+        """No: layouts would take the height of all lines for the least there can be."""
+        return False
+
+    def sizeHint(self) -> QSize:
+        """All lines, in the width there is."""
+        return QSize(super().sizeHint().width(), max(self.heightForWidth(self.width()), self.fontMetrics().height()))
+
+    def minimumSizeHint(self) -> QSize:
+        """One line."""
+        return QSize(0, self.fontMetrics().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another width has other lines."""
+        super().resizeEvent(event)
+        if event.oldSize().width() != event.size().width():
+            self.updateGeometry()
+        self.setToolTip("" if self.height() >= self.sizeHint().height() else self.text())
 
 
 class StatusLine:
@@ -83,7 +113,9 @@ class StatusLine:
                 act()
         except TetratrackError as error:
             if not quiet:
-                self.say(str(error), bad=True)
+                # what has no file before it begins a sentence
+                text = str(error)
+                self.say(text if error.source is not None else text[:1].upper() + text[1:], bad=True)
             return False
         finally:
             self.busy = before
@@ -109,7 +141,8 @@ class ComparisonChoice(QWidget):
         row = _without_margins(QHBoxLayout(self))
         for box in (self.pair, self.datum):
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(12)
+            # two days and the arrow between them, in the narrowest dock
+            box.setMinimumContentsLength(17 if box is self.pair else 14)
             box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             row.addWidget(box)
         self.pair.activated.connect(self._choose_pair)
@@ -226,12 +259,14 @@ class FilterPanel(QWidget):
     def _lay_out(self) -> None:
         rows = _without_margins(QVBoxLayout(self))
         first, second = QHBoxLayout(), QHBoxLayout()
-        first.addWidget(self.kinds, 1)
+        # what is typed has room beside short fields; words of other languages need the second row
+        first.addWidget(self.kinds, 3)
+        first.addWidget(self.text, 2)
         first.addWidget(self.threshold)
-        second.addWidget(self.text, 1)
         second.addWidget(self.area)
         second.addWidget(self.undecided)
         second.addWidget(self.on_map)
+        second.addStretch(1)
         rows.addLayout(first)
         rows.addLayout(second)
 

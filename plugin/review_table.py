@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from qgis.PyQt.QtCore import QAbstractTableModel, QEvent, QItemSelection, QItemSelectionModel, QModelIndex, QObject, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QBrush, QColor, QFont, QKeyEvent, QPalette
 from qgis.PyQt.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableView, QWidget
 
-from ..algorithms.support.lengths import decimal, length_format
+from ..algorithms.support.lengths import LengthFormat, decimal, length_format
 from ..core.results.unit_rows import UnitRow
 from ..core.review.decisions import DECISIONS
 from .review_store import COLUMNS, ReviewStore
-from .review_text import column_help, column_label, decision_colour, decision_label, kind_label
+from .review_text import LENGTH_COLUMNS, column_help, decision_colour, decision_label, heading, kind_label
 
-LENGTH_COLUMNS = ("d_3d", "d_horizontal", "vertical")
 TEXT_COLUMNS = ("unit_id", "kind", "decision", "reviewer")
 FADED = 110
 """Opacity, of 255, of the text of rejected units."""
@@ -38,7 +38,7 @@ class ReviewModel(QAbstractTableModel):
     def __init__(self, store: ReviewStore, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.store = store
-        self.lengths = length_format()
+        self.lengths = lengths_of(store)
 
     def rowCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
         """Units that pass the filter."""
@@ -53,7 +53,7 @@ class ReviewModel(QAbstractTableModel):
         if orientation != Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return column_label(COLUMNS[section])
+            return heading(COLUMNS[section], self.lengths.suffix)
         if role == Qt.ItemDataRole.ToolTipRole:
             return column_help(COLUMNS[section])
         return None
@@ -113,7 +113,7 @@ class ReviewModel(QAbstractTableModel):
     def reset(self) -> None:
         """The order or the rows changed."""
         self.beginResetModel()
-        self.lengths = length_format()
+        self.lengths = lengths_of(self.store)
         self.endResetModel()
 
     def refresh(self) -> None:
@@ -162,7 +162,7 @@ class ReviewTable(QTableView):
         }
         for place, column in enumerate(COLUMNS):
             widest = max(metrics.horizontalAdvance(sample) for sample in samples.get(column, ["-00.000"]))
-            width = max(widest + 14, metrics.horizontalAdvance(column_label(column)) + 24)
+            width = max(widest + 14, metrics.horizontalAdvance(heading(column, model.lengths.suffix)) + 24)
             self.setColumnWidth(place, width)
         self.horizontalHeader().setStretchLastSection(True)
         return model
@@ -209,6 +209,12 @@ class ReviewTable(QTableView):
         self._following = True
         self._store.select(self._store.shown(row).unit_id for row in rows)
         self._following = False
+
+
+def lengths_of(store: ReviewStore) -> LengthFormat:
+    """Lengths with decimals that the standard deviations of most of the store's displacements are seen in."""
+    sds = [row.sd for row in store.rows if row.sd is not None]
+    return length_format().telling(float(np.median(sds)) if sds else None)
 
 
 def _command(event: QKeyEvent) -> str:

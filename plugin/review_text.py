@@ -9,6 +9,8 @@ from ..algorithms.support.translation import tr
 
 DECISION_COLOURS = {"accepted": ("#006B5E", "#7FE0C8"), "rejected": ("#8E1B1B", "#F4776A"), "inspect": ("#946200", "#FFD54A")}
 """Colour of each decision on light and on dark paper."""
+LENGTH_COLUMNS = ("d_3d", "d_horizontal", "vertical")
+"""Columns of the table whose numbers are lengths."""
 
 
 def kind_label(kind: str) -> str:
@@ -54,6 +56,7 @@ def edit_label(kind: str) -> str:
         "merge": tr("merged"),
         "split": tr("split"),
         "pose": tr("new pose"),
+        "pick": tr("points picked"),
         "placeholder": tr("placeholder"),
     }
     return labels.get(kind, kind)
@@ -73,6 +76,11 @@ def column_label(column: str) -> str:
         "decision": tr("Decision"),
         "reviewer": tr("Reviewer"),
     }[column]
+
+
+def heading(column: str, length: str) -> str:
+    """Heading of a table column with its unit, the project's unit of lengths where its numbers are lengths."""
+    return f"{column_label(column)} ({length})" if column in LENGTH_COLUMNS else column_label(column)
 
 
 def column_help(column: str) -> str:

@@ -86,7 +86,7 @@ class SeriesView(QWidget):
             painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
             painter.setPen(ink)
             painter.drawText(QPointF(left - MARGIN - metrics.horizontalAdvance(name), y + metrics.ascent() / 2 - 1), name)
-        painter.drawText(QPointF(MARGIN, legend + metrics.ascent() - 2), tr("3D displacement ({unit})").format(unit=lengths.suffix))
+        painter.drawText(QPointF(MARGIN, legend + metrics.ascent() - 2), self._caption(lengths))
         self._draw_epochs(painter, area, {epoch: place(epoch, 0).x() for epoch in moments}, metrics)
         if self.limit is not None:
             y = area.bottom() - area.height() * self.limit / top
@@ -108,6 +108,13 @@ class SeriesView(QWidget):
             for p in series:
                 painter.drawEllipse(place(p.epoch, p.d_3d), 2.5, 2.5)
         self._draw_legend(painter, ink, metrics, dark)
+
+    def _caption(self, lengths: LengthFormat) -> str:
+        """What is drawn, since when, and how sure it is, as far as there is room."""
+        words = tr("3D displacement since {epoch} ({unit}), bands of 95 %")
+        first = min(self._moments().items(), key=lambda moment: moment[1])[0]
+        text = words.format(epoch=first, unit=lengths.suffix)
+        return self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, self.width() - 2 * MARGIN)
 
     def _draw_legend(self, painter: QPainter, ink: QColor, metrics: QFontMetricsF, dark: bool) -> None:
         x, y = float(MARGIN), MARGIN + metrics.ascent()

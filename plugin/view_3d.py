@@ -36,20 +36,28 @@ ARROW_COLOUR = "#c62828"
 ARROW_HEIGHTS = 0.75
 """Arrows begin so far above the centre, in heights of the unit: within the body nobody would see them."""
 ARROW_PIXELS = 4.0
-TYPICAL_ARROW = 1.5
-"""Metres that a typical significant displacement is drawn as."""
+TYPICAL_ARROW = 0.65
+"""Heights of a unit that a typical significant displacement is drawn as, on a breakwater and in a tank."""
+NEAREST_HEIGHTS = 4.5
+"""Heights of a unit from which a few units are seen."""
+NEAREST_CAMERA = 10.0
+"""Metres nearer than which QGIS's camera does not go."""
+ARROWS_PROPERTY = "tetratrack/arrows_3d"
+"""Custom property of the layer of arrows: the result they are of."""
 PITCH = 55.0
 """Degrees from straight down: a slope is seen from its foot."""
 
 
 @dataclass(frozen=True)
 class Scene:
-    """What the view is to show: layers, the bodies first; extent (project's CRS) and heights; enlargement of the arrows, 0 for none."""
+    """What the view is to show: layers, the bodies first; extent (project's CRS) and heights; enlargement of the arrows, 0 for none; and
+    the height H of the largest unit, metres."""
 
     layers: list[Any]
     extent: QgsRectangle
     heights: tuple[float, float]
     arrow_scale: float
+    unit_height: float
 
 
 def scene_of(result: Path, project: QgsProject) -> Scene | None:
@@ -57,14 +65,22 @@ def scene_of(result: Path, project: QgsProject) -> Scene | None:
     surfaces = _layer(result, "unit_surfaces", project)
     if surfaces is None or not surfaces.featureCount():
         return None
-    arrows, scale = arrow_layer(result, project)
+    height = unit_height(result)
+    arrows, scale = arrow_layer(result, project, height)
     layers = [layer for layer in (surfaces, arrows, _cloud(result, project)) if layer is not None]
     corners = [(v.x(), v.y(), v.z()) for feature in surfaces.getFeatures() for v in _corners(feature)]
     east, north, heights = zip(*corners, strict=True)
     extent = QgsRectangle(min(east), min(north), max(east), max(north))
     if project.crs().isValid():
         extent = QgsCoordinateTransform(surfaces.crs(), project.crs(), project).transformBoundingBox(extent)
-    return Scene(layers, extent, (min(heights), max(heights)), scale)
+    return Scene(layers, extent, (min(heights), max(heights)), scale, height)
+
+
+def unit_height(result: Path) -> float:
+    """Height H of a result's largest unit, metres; one metre where it holds none."""
+    units = QgsVectorLayer(f"{result}|layername=units", "units", "ogr")
+    values = units.uniqueValues(units.fields().lookupField("height")) if units.isValid() else ()
+    return max((float(value) for value in values if value), default=1.0)
 
 
 def open_view(iface: Any, result: Path, project: QgsProject | None = None) -> Any:
@@ -101,15 +117,13 @@ def open_view(iface: Any, result: Path, project: QgsProject | None = None) -> An
     return canvas
 
 
-def arrow_layer(result: Path, project: QgsProject) -> tuple[QgsVectorLayer | None, float]:
-    """Arrows over the units that moved since the epoch before the latest, and how much they are enlarged; None and 0 where none did."""
+def arrow_layer(result: Path, project: QgsProject, height: float) -> tuple[QgsVectorLayer | None, float]:
+    """Arrows over units of height H that moved since the epoch before the latest, and how much they are enlarged; None and 0 for none."""
     source = QgsVectorLayer(f"{result}|layername=displacements", "displacements", "ogr")
-    units = QgsVectorLayer(f"{result}|layername=units", "units", "ogr")
-    if not source.isValid() or not units.isValid():
+    if not source.isValid():
         return None, 0.0
     times = source.uniqueValues(source.fields().lookupField("time_to"))
     latest = max(times, default=None)
-    height = max((float(value) for value in units.uniqueValues(units.fields().lookupField("height")) if value), default=1.0)
     moved = []
     for feature in source.getFeatures():
         if feature["feature"] == "centre" and feature["significant"] and feature["time_to"] == latest:
@@ -121,15 +135,26 @@ def arrow_layer(result: Path, project: QgsProject) -> tuple[QgsVectorLayer | Non
     if not moved:
         return None, 0.0
     lengths = sorted(math.hypot(*vector) for _, vector in moved)
-    scale = round_below(max(1.0, TYPICAL_ARROW / max(lengths[len(lengths) // 2], 1e-3)))
-    layer = QgsVectorLayer(f"LineStringZ?crs={source.crs().toWkt()}", tr("Displacements in 3D"), "memory")
-    layer.setCrs(source.crs())
+    scale = round_below(max(1.0, TYPICAL_ARROW * height / max(lengths[len(lengths) // 2], 1e-3 * height)))
     features = []
     for start, vector in moved:
         feature = QgsFeature()
         feature.setGeometry(QgsLineString(arrow(start, [scale * value for value in vector], ARROW_HEIGHTS * height)))
         features.append(feature)
+    layer = _arrows_of(result, project, source)
     layer.dataProvider().addFeatures(features)
+    return layer, scale
+
+
+def _arrows_of(result: Path, project: QgsProject, source: QgsVectorLayer) -> QgsVectorLayer:
+    """The project's layer for the arrows of a result, empty: that of an earlier view, or a new one."""
+    for known in project.mapLayers().values():
+        if isinstance(known, QgsVectorLayer) and known.customProperty(ARROWS_PROPERTY) == str(result):
+            known.dataProvider().truncate()
+            return known
+    layer = QgsVectorLayer(f"LineStringZ?crs={source.crs().toWkt()}", tr("Displacements in 3D"), "memory")
+    layer.setCrs(source.crs())
+    layer.setCustomProperty(ARROWS_PROPERTY, str(result))
     symbol = QgsLine3DSymbol()
     # tubes lose the heights of their corners
     symbol.setRenderAsSimpleLines(True)
@@ -142,7 +167,7 @@ def arrow_layer(result: Path, project: QgsProject) -> tuple[QgsVectorLayer | Non
     layer.setRenderer3D(QgsVectorLayer3DRenderer(symbol))
     project.addMapLayer(layer, False)
     project.layerTreeRoot().addLayer(layer).setItemVisibilityChecked(False)
-    return layer, scale
+    return layer
 
 
 def arrow(start: QgsPoint, vector: list[float], above: float) -> list[QgsPoint]:
@@ -169,8 +194,12 @@ def look_at(canvas: Any, scene: Scene) -> None:
     middle = scene.extent.center()
     height = sum(scene.heights) / 2
     place = settings.mapToWorldCoordinates(QgsVector3D(middle.x(), middle.y(), height))
-    distance = 1.15 * max(math.hypot(scene.extent.width(), scene.extent.height()), 10.0)
-    canvas.cameraController().setLookingAtPoint(place, distance, PITCH, slope_azimuth(scene.layers[0]))
+    distance = 1.15 * max(math.hypot(scene.extent.width(), scene.extent.height()), NEAREST_HEIGHTS * scene.unit_height)
+    if distance < NEAREST_CAMERA:
+        # models in a tank are looked at through a longer lens
+        half = math.tan(math.radians(settings.fieldOfView()) / 2)
+        settings.setFieldOfView(math.degrees(2 * math.atan(half * distance / NEAREST_CAMERA)))
+    canvas.cameraController().setLookingAtPoint(place, max(distance, NEAREST_CAMERA), PITCH, slope_azimuth(scene.layers[0]))
 
 
 def slope_azimuth(surfaces: QgsVectorLayer) -> float:
@@ -218,18 +247,18 @@ def add_legend(scene: Scene) -> QLabel | None:
 
 
 def _layer(result: Path, name: str, project: QgsProject) -> QgsVectorLayer | None:
-    """A layer of the result: that of the project if it is loaded unfiltered, else one of its own, styled, hidden on the map."""
+    """A layer of the result: that of the project if it is loaded whole or for an earlier view, else its own, styled, hidden on the map."""
     wanted = f"{result}|layername={name}"
-    for known in project.mapLayers().values():
-        if known.source() == wanted:
-            return known
     layer = QgsVectorLayer(wanted, layer_title(name), "ogr")
     if not layer.isValid():
         return None
-    apply_style(layer, name)
     if name == "unit_surfaces":
         # the latest epoch alone: both would stand in each other
         layer.setSubsetString('"epoch_until" IS NULL')
+    for known in project.mapLayers().values():
+        if known.source() in (wanted, layer.source()):
+            return known
+    apply_style(layer, name)
     project.addMapLayer(layer, False)
     project.layerTreeRoot().addLayer(layer).setItemVisibilityChecked(False)
     return layer

@@ -468,7 +468,7 @@ def plan(
             shown = expected(density * shape.height**2, noise / shape.height, shape)
             drawn = {"curves": detectability_curves(shape, survey)} if curves else {}
         except ValueError as error:
-            raise InputError(str(error), remedy="Change the option it names.") from error
+            raise InputError(str(error), remedy="Change the number it names.") from error
         along: dict[str, Any] = {}
         # a length that is none is refused there
         if coast != 0:

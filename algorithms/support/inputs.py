@@ -42,7 +42,7 @@ from ...core.common.virtual_clouds import tiles_of
 from ..base import TetratrackAlgorithm
 from .same_crs import crs_name
 from .translation import tr
-from .wording import Wording
+from .wording import Wording, few
 
 TILES, CRS, EPOCH, TIME = "TILES", "CRS", "EPOCH", "TIME"
 UNIT, HEIGHT, RADIUS, GRADIENT, LEG_LENGTH, OPENING, CALIBRATE = (
@@ -539,6 +539,8 @@ def ring_of(
     geometries = [feature.geometry() for feature in source.getFeatures(request) if feature.hasGeometry()]
     if not geometries:
         raise QgsProcessingException(tr("The area of interest holds no polygon."))
+    if any(geometry.type() != Qgis.GeometryType.Polygon for geometry in geometries):
+        raise QgsProcessingException(tr("The area of interest holds no polygon."))
     joined = QgsGeometry.unaryUnion(geometries)
     if joined.isMultipart() and len(joined.asMultiPolygon()) > 1:
         raise QgsProcessingException(tr("The area of interest has several separate parts; give one polygon."))
@@ -587,7 +589,7 @@ def write_points(
     if missing:
         raise QgsProcessingException(
             tr("{layer} has no field {fields}; it has {present}.").format(
-                layer=source.sourceName(), fields=", ".join(missing), present=", ".join(names)
+                layer=source.sourceName(), fields=few(missing), present=few(names)
             )
         )
     transform = QgsCoordinateTransform()

@@ -71,6 +71,8 @@ DRAWING_ORDER = (
 HIDDEN_AT_FIRST = ("displacements_other", "placement", "unit_surfaces")
 """Layers loaded but not shown: a second arrow of another datum misleads, placement is another question, surfaces are for 3D views."""
 
+ARROW_LABEL = "arrow of 10 mm: 50 mm"
+"""How the label of the shipped styles begins that says how long arrows are."""
 LEGEND_PROPERTY = "tetratrack/legend"
 """Custom property of a layer that keeps the labels of its legend as the shipped style has them."""
 NAMED_PROPERTY = "tetratrack/fields"
@@ -181,7 +183,9 @@ def translate_legend(layer: QgsVectorLayer) -> None:
 
 def legend_label(label: str) -> str:
     """Translation of a label of the shipped styles, lengths in the project's unit."""
-    shown = length_format().text(0.05)
+    # saved projects know the label of their day, which said nothing of the longest
+    if label.startswith(ARROW_LABEL):
+        return tr("arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %").format(length=length_format().text(0.05))
     known = {
         "error as targets see it": tr("error as targets see it"),
         "difference of two epochs as units see it": tr("difference of two epochs as units see it"),
@@ -199,7 +203,6 @@ def legend_label(label: str) -> str:
         "unseen: known from another epoch": tr("unseen: known from another epoch"),
         "unexplained points where a unit fits": tr("unexplained points where a unit fits"),
         "hole where a unit fits": tr("hole where a unit fits"),
-        "arrow of 10 mm: 50 mm; ellipse: 95 %": tr("arrow of 10 mm: {length}; ellipse: 95 %").format(length=shown),
         "below the detection limit": tr("below the detection limit"),
         "significant": tr("significant"),
         "watch": tr("watch"),

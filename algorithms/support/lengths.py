@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from qgis.core import Qgis, QgsExpressionContextUtils, QgsProject, QgsSettings, QgsUnitTypes
 from qgis.PyQt.QtCore import QLocale
@@ -16,6 +16,8 @@ SENSIBLE_DECIMALS = {
     Qgis.DistanceUnit.Inches: 3,
 }
 """Units that displacements are stated in, and the most decimals that mean anything in them."""
+MOST_DECIMALS = 7
+"""Of a length that :meth:`LengthFormat.telling` writes."""
 UNKNOWN = "–"
 """Stands for a length that is not known."""
 FACTOR, UNIT, DECIMALS = "tetratrack_factor", "tetratrack_unit", "tetratrack_decimals"
@@ -37,8 +39,15 @@ class LengthFormat:
         return decimal(metres * self.factor, self.decimals)
 
     def signed(self, metres: float) -> str:
-        """The number with its sign, and unit."""
-        return f"{decimal(metres * self.factor, self.decimals, signed=True)} {self.suffix}"
+        """The bare number with its sign."""
+        return decimal(metres * self.factor, self.decimals, signed=True)
+
+    def telling(self, smallest: float | None) -> LengthFormat:
+        """The same with as many decimals more as a length of ``smallest`` metres needs to be told from none."""
+        if not smallest or not math.isfinite(smallest):
+            return self
+        needed = next((n for n in range(self.decimals, MOST_DECIMALS) if round(abs(smallest) * self.factor, n) > 0), MOST_DECIMALS)
+        return replace(self, decimals=needed)
 
     def text(self, metres: float | None) -> str:
         """Number and unit; a dash where a length is not known."""

@@ -1,7 +1,8 @@
 """Translation of everything the user reads: one context, English source, ``tr("...")`` around constant strings only.
 
 ``scripts/dev/translations.py`` collects the strings of every ``tr`` call with a constant argument into i18n/*.ts; placeholders are
-named, as in ``tr("{count} units").format(count=3)``.
+named, as in ``tr("{legs} broken").format(legs=3)``. What agrees with a number in some language is written with ``%n`` and the number,
+as in ``tr("%n lost", 3)``; the English words, which have no catalogue, must be right for one and for many.
 """
 
 from __future__ import annotations
@@ -16,9 +17,11 @@ LANGUAGES = ("ja", "ko", "zh-Hans", "fr", "pt", "es")
 """Languages shipped besides English, as QGIS names them; a region such as pt_BR uses its language."""
 
 
-def tr(text: str) -> str:
-    """Translate an English source string into QGIS's language."""
-    return QCoreApplication.translate(CONTEXT, text)
+def tr(text: str, count: int | None = None) -> str:
+    """Translate an English source string into QGIS's language, with a count in the form that agrees with ``count``, written for ``%n``."""
+    if count is None:
+        return QCoreApplication.translate(CONTEXT, text)
+    return QCoreApplication.translate(CONTEXT, text, None, count)
 
 
 def language_of(locale: str) -> str | None:

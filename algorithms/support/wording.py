@@ -3,10 +3,19 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
 from .translation import tr
+
+MOST_FIELDS = 6
+"""Names of fields that a message holds."""
+
+
+def few(names: Sequence[str]) -> str:
+    """Names for a message, the first of many."""
+    return ", ".join(names[:MOST_FIELDS]) + (", …" if len(names) > MOST_FIELDS else "")
 
 
 @dataclass(frozen=True)

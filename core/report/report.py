@@ -355,7 +355,8 @@ def translator(language: str) -> Translate:
     root = ElementTree.parse(CATALOGUES / f"tetratrack_{known}.ts").getroot()  # noqa: S314  # nosec B314 - a file of this package
     for message in root.iter("message"):
         source, translation = message.findtext("source"), message.findtext("translation")
-        if source and translation:
+        # texts with forms for numbers are the windows'
+        if source and translation and message.get("numerus") is None:
             catalogue[source] = translation
     return lambda text: catalogue.get(text, text)
 

@@ -16,7 +16,7 @@ ADDED: dict[str, Layer] = {
             "PointZ",
             "Corrections by hand, placeholders for units that were not found among them, one row an act",
             (
-                Field("kind", "text", "delete, merge, split, pose, placeholder, or undo, which takes another back"),
+                Field("kind", "text", "delete, merge, split, pose, pick, placeholder, or undo, which takes another back"),
                 UNIT_ID,
                 EPOCH,
                 Field("comment", "text", "editor's remark"),

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import sqlite3
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -26,10 +27,10 @@ from .bodies import redraw_bodies
 from .decisions import settle, writing
 from .pose_consequences import NewPose, carry_displacements, connect_epochs, drop_velocities, write_features, write_pose
 from .pose_from_picks import nearest_labels
-from .unit_records import DELETE_ROW, RENAME_ROW, columns_of, delete_rows, insert_row, place_of, rows_of_unit
+from .unit_records import DELETE_ROW, RENAME_ROW, columns_of, delete_rows, insert_row, place_of, raw_row, rows_of_unit
 
-UNDO = "undo"
-"""Kind of a row of ``unit_edits`` that takes another back."""
+UNDO, PICK = "undo", "pick"
+"""Kinds of rows of ``unit_edits``: one that takes another back, and points picked by hand beside the fit, which change no number."""
 CREATE_EDITS = (
     "CREATE TABLE IF NOT EXISTS unit_edits (fid INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, geom BLOB, kind TEXT, unit_id TEXT, "
     "epoch TEXT, comment TEXT, editor TEXT, edited_at DATETIME, before TEXT, undone BOOLEAN DEFAULT 0, undoes INTEGER)"
@@ -38,11 +39,12 @@ CREATE_PICKS = (
     "CREATE TABLE IF NOT EXISTS manual_picks (fid INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, geom BLOB, unit_id TEXT, epoch TEXT, "
     "feature TEXT, picked_by TEXT, picked_at DATETIME)"
 )
+SELECT_PICK = "SELECT fid FROM manual_picks WHERE unit_id = ? AND epoch = ? AND feature = ? AND picked_by = ?"
 
 
 @dataclass(frozen=True, kw_only=True)
 class UnitEdit:
-    """One correction: ``kind`` is delete, merge, split, pose or placeholder."""
+    """One correction: ``kind`` is delete, merge, split, pose, pick or placeholder."""
 
     number: int
     kind: str
@@ -107,8 +109,8 @@ def read_picks(path: Path, unit_id: str) -> list[Row]:
         return query(connection, "SELECT * FROM manual_picks WHERE unit_id = ? ORDER BY fid", (unit_id,))
 
 
-def store_picks(path: Path, unit_id: str, epoch: str, picks: dict[str, ArrayLike], *, editor: str) -> None:
-    """Keep hand-picked feature points beside the fit; a feature picked again replaces the same person's older pick.
+def store_picks(path: Path, unit_id: str, epoch: str, picks: Mapping[str, ArrayLike], *, editor: str) -> None:
+    """Keep hand-picked feature points beside the fit; a feature picked again replaces the same person's older pick until it is taken back.
 
     Parameters
     ----------
@@ -122,20 +124,11 @@ def store_picks(path: Path, unit_id: str, epoch: str, picks: dict[str, ArrayLike
     OutputError
         The file cannot be written.
     """
-    unknown = sorted(set(picks) - set(FEATURES))
-    if unknown:
-        raise InputError(f"there is no feature {unknown[0]}", where=f"unit {unit_id}", remedy=f"Use one of {', '.join(FEATURES)}.")
     with writing(path) as connection:
-        connection.execute(CREATE_PICKS)
-        _register_layer(connection, "manual_picks", "Feature points picked by hand, beside the fit", "POINT")
-        srs = srs_of(connection)
-        for feature, place in picks.items():
-            key = (unit_id, epoch, feature, editor)
-            connection.execute("DELETE FROM manual_picks WHERE unit_id = ? AND epoch = ? AND feature = ? AND picked_by = ?", key)
-            connection.execute(
-                "INSERT INTO manual_picks (geom, unit_id, epoch, feature, picked_by, picked_at) VALUES (?, ?, ?, ?, ?, ?)",
-                (encode_point(srs, np.asarray(place, dtype=np.float64)), *key, now_utc()),
-            )
+        _prepare(connection)
+        place = np.mean([np.asarray(point, dtype=np.float64) for point in picks.values()], axis=0)
+        before = _keep_picks(connection, unit_id, epoch, picks, editor)
+        _log(connection, PICK, unit_id, epoch, place, "", editor, {"picked": before})
 
 
 def add_placeholder(path: Path, epoch: str, place: ArrayLike, *, editor: str, comment: str = "") -> str:
@@ -252,17 +245,24 @@ def split_unit(path: Path, unit_id: str, epoch: str, *, editor: str, comment: st
         return name
 
 
-def set_pose(path: Path, unit_id: str, epoch: str, pose: NewPose, *, editor: str, comment: str = "") -> None:
+def set_pose(
+    path: Path, unit_id: str, epoch: str, pose: NewPose, *, editor: str, comment: str = "", picks: Mapping[str, ArrayLike] | None = None
+) -> None:
     """Replace the pose of a unit in one epoch and bring its feature points and displacements along.
 
     The legs are numbered as before (the rotation of the tetrapod onto itself that turns it least). Displacements change by the
     change of the feature points, and their variances grow by what the new fit is worse than the old. Statistic and
     p-value then follow from the standard deviations (chi-square with three degrees of freedom).
 
+    Parameters
+    ----------
+    picks
+        Points that the pose was made of, as of :func:`store_picks`; they stand and fall with it.
+
     Raises
     ------
     InputError
-        The unit has no row in that epoch.
+        The unit has no row in that epoch, or there is no such feature.
     """
     with writing(path) as connection:
         _prepare(connection)
@@ -288,7 +288,10 @@ def set_pose(path: Path, unit_id: str, epoch: str, pose: NewPose, *, editor: str
         stale = {"gaps": [row for row in before.get("gaps", []) if row["epoch"] == epoch]}
         stale["cross_checks"] = [row for row in before.get("cross_checks", []) if epoch in (row["epoch_from"], row["epoch_to"])]
         delete_rows(connection, stale)
-        _log(connection, "pose", unit_id, epoch, place, comment, editor, {"changed": _computed(before), "added": added})
+        replaced: dict[str, Any] = {"changed": _computed(before), "added": added}
+        if picks:
+            replaced["picked"] = _keep_picks(connection, unit_id, epoch, picks, editor)
+        _log(connection, "pose", unit_id, epoch, place, comment, editor, replaced)
 
 
 def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
@@ -309,13 +312,15 @@ def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
             raise InputError(f"correction {number} is {row['editor']}'s", remedy="Only your own corrections can be taken back.")
         touched = _touched(row)
         later = query(connection, "SELECT * FROM unit_edits WHERE fid > ? AND NOT undone AND kind <> ?", (number, UNDO))
-        blocking = next((edit for edit in later if touched & _touched(edit)), None)
+        before: dict[str, Any] = json.loads(row["before"] or "{}")
+        # points picked since change no row that is brought back, but one's own that replaced those taken back
+        counted = [e for e in later if e["kind"] != PICK or ("picked" in before and e["editor"].casefold() == row["editor"].casefold())]
+        blocking = next((e for e in counted if touched & _touched(e)), None)
         if blocking is not None:
             raise InputError(
                 f"unit {blocking['unit_id']} was corrected again later, by {blocking['editor']}",
                 remedy="The later correction has to be taken back first.",
             )
-        before: dict[str, Any] = json.loads(row["before"] or "{}")
         for layer, fids in before.get("added", {}).items():
             connection.executemany(DELETE_ROW[layer], [(fid,) for fid in fids])
         for part in ("deleted", "renamed", "changed"):
@@ -324,6 +329,8 @@ def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
                     connection.execute(DELETE_ROW[layer], (old["fid"],))
                     insert_row(connection, layer, {name: bytes.fromhex(v) if name == "geom" and v else v for name, v in old.items()})
         _return_picks(connection, str(row["unit_id"]), before)
+        if "picked" in before:
+            _unpick(connection, before["picked"])
         redraw_bodies(connection, touched)
         connection.execute("UPDATE unit_edits SET undone = 1 WHERE fid = ?", (number,))
         _log(connection, UNDO, row["unit_id"], row["epoch"] or "", row["geom"], "", editor, {}, undoes=number)
@@ -338,6 +345,37 @@ def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
             undone=True,
             undone_by=editor,
         )
+
+
+def _keep_picks(connection: sqlite3.Connection, unit_id: str, epoch: str, picks: Mapping[str, ArrayLike], editor: str) -> dict[str, Any]:
+    """Store points picked by hand; the rows made and those they replace, for :func:`_unpick`."""
+    unknown = sorted(set(picks) - set(FEATURES))
+    if unknown:
+        raise InputError(f"there is no feature {unknown[0]}", where=f"unit {unit_id}", remedy=f"Use one of {', '.join(FEATURES)}.")
+    connection.execute(CREATE_PICKS)
+    _register_layer(connection, "manual_picks", "Feature points picked by hand, beside the fit", "POINT")
+    srs, made, replaced = srs_of(connection), [], []
+    for feature, place in picks.items():
+        key = (unit_id, epoch, feature, editor)
+        older = [int(row["fid"]) for row in connection.execute(SELECT_PICK, key)]
+        for row in (raw_row(connection, "manual_picks", fid) for fid in older):
+            replaced.append({**row, "raw_geom": row["geom"]})
+        connection.executemany(DELETE_ROW["manual_picks"], [(fid,) for fid in older])
+        cursor = connection.execute(
+            "INSERT INTO manual_picks (geom, unit_id, epoch, feature, picked_by, picked_at) VALUES (?, ?, ?, ?, ?, ?)",
+            (encode_point(srs, np.asarray(place, dtype=np.float64)), *key, now_utc()),
+        )
+        made.append(cursor.lastrowid)
+    return {"made": made, "replaced": replaced}
+
+
+def _unpick(connection: sqlite3.Connection, picked: dict[str, Any]) -> None:
+    """Take points picked by hand back, and bring those back that they replaced, under the name that their unit has by now."""
+    owners = connection.execute("SELECT unit_id FROM manual_picks WHERE fid = ?", (picked["made"][0],)).fetchone()
+    connection.executemany(DELETE_ROW["manual_picks"], [(fid,) for fid in picked["made"]])
+    for old in picked["replaced"]:
+        name = old["unit_id"] if owners is None else str(owners["unit_id"])
+        insert_row(connection, "manual_picks", {**old, "unit_id": name, "geom": bytes.fromhex(old["geom"])})
 
 
 def _last_pick(connection: sqlite3.Connection) -> int:

@@ -581,7 +581,7 @@ def style_displacements(layer: QgsVectorLayer) -> None:
     significant = f'{counted} and "significant"'
     # corrected by hand: no grade by the survey's limits
     grade = "coalesce(\"grade\", if(\"d_3d\" > 0.1, 'alert', if(\"d_3d\" > 0.05, 'watch', 'significant')))"
-    entries = [("arrow of 10 mm: 50 mm; ellipse: 95 %", "false", arrow(GREY, 0.6))]
+    entries = [("arrow of 10 mm: 50 mm, at most 30 mm long; ellipse: 95 %", "false", arrow(GREY, 0.6))]
     for label, condition, colour, width in (
         ("below the detection limit", f'{counted} and not coalesce("significant", false)', GREY, 0.4),
         ("significant", f"{significant} and {grade} = 'significant'", BLUE, 0.6),

@@ -1,6 +1,7 @@
 """Collect the interface's strings into i18n/*.ts and build the .qm files: run after any change of a string.
 
-``collect`` reads every ``tr("...")`` call with a constant argument and keeps existing translations; ``build`` calls lrelease.
+``collect`` reads every ``tr("...")`` call with a constant argument and keeps existing translations; ``build`` calls lrelease. Texts with
+``%n`` have a translation for every form that the language's numbers ask for.
 """
 
 from __future__ import annotations
@@ -20,6 +21,10 @@ FOLDER = ROOT / "i18n"
 CONTEXT = "tetratrack"
 LANGUAGES = {"ja": "ja_JP", "ko": "ko_KR", "zh-Hans": "zh_CN", "fr": "fr_FR", "pt": "pt_PT", "es": "es_ES"}
 """Languages as QGIS names them, and as Qt's tools do."""
+COUNT = "%n"
+"""Where a number stands in a text whose words agree with it."""
+FORMS = {"ja": 1, "ko": 1, "zh-Hans": 1}
+"""Forms of a text with a number, two where a language is not named: for one, which in French is for none as well, and for more."""
 SOURCES = ("algorithms", "plugin", "core")
 REPORT_TEXT = re.compile(r'(?<![\w.])_\("([^"\\]*)"\)')
 """The report's texts: constant arguments of ``_`` in its templates and figures."""
@@ -55,14 +60,21 @@ def source_strings() -> dict[str, str]:
     return found
 
 
-def translations(language: str) -> dict[str, str]:
-    """Finished translations of a language by source string."""
+def translations(language: str) -> dict[str, tuple[str, ...]]:
+    """Finished translations of a language by source string: one, or with a number one for each form."""
     path = ts_path(language)
     if not path.exists():
         return {}
     messages = ET.parse(path).getroot().iter("message")  # noqa: S314  # nosec B314 - the repository's own file
     pairs = ((m.findtext("source") or "", m.find("translation")) for m in messages)
-    return {source: node.text or "" for source, node in pairs if node is not None and node.get("type") is None and node.text}
+    finished = {source: node for source, node in pairs if node is not None and node.get("type") is None}
+    found = {source: tuple(form.text or "" for form in node.findall("numerusform") or [node]) for source, node in finished.items()}
+    return {source: texts for source, texts in found.items() if len(texts) == forms_of(source, language) and all(texts)}
+
+
+def forms_of(source: str, language: str) -> int:
+    """How many translations a string has."""
+    return FORMS.get(language, 2) if COUNT in source else 1
 
 
 def ts_path(language: str) -> Path:
@@ -75,7 +87,7 @@ def placeholders(text: str) -> list[str]:
     return sorted(name for _, name, _, _ in Formatter().parse(text) if name is not None)
 
 
-def write(language: str, known: dict[str, str]) -> None:
+def write(language: str, known: dict[str, tuple[str, ...]]) -> None:
     """Write a .ts file with the current strings; those without a translation are marked unfinished."""
     root = ET.Element("TS", version="2.1", language=LANGUAGES[language], sourcelanguage="en")
     context = ET.SubElement(root, "context")
@@ -85,10 +97,15 @@ def write(language: str, known: dict[str, str]) -> None:
         ET.SubElement(message, "location", filename=f"../{module}")
         ET.SubElement(message, "source").text = source
         translation = ET.SubElement(message, "translation")
-        if source in known:
-            translation.text = known[source]
-        else:
+        texts = known.get(source, ("",) * forms_of(source, language))
+        if source not in known:
             translation.set("type", "unfinished")
+        if COUNT not in source:
+            translation.text = texts[0]
+            continue
+        message.set("numerus", "yes")
+        for text in texts:
+            ET.SubElement(translation, "numerusform").text = text
     ET.indent(root)
     text = '<?xml version="1.0" encoding="utf-8"?>\n<!DOCTYPE TS>\n' + ET.tostring(root, encoding="unicode") + "\n"
     ts_path(language).write_text(text, encoding="utf-8")

@@ -140,7 +140,7 @@
   </elevation>
   <renderer-v2 referencescale="-1" enableorderby="0" forceraster="0" symbollevels="0" type="RuleRenderer">
     <rules key="{cbc81327-5cd7-4f99-88a7-626d5fb72fbb}">
-      <rule symbol="0" label="arrow of 10 mm: 50 mm; ellipse: 95 %" key="{db535dc2-e1b2-456d-81d7-d12a84ac8cc2}" filter="false"/>
+      <rule symbol="0" label="arrow of 10 mm: 50 mm, at most 30 mm long; ellipse: 95 %" key="{db535dc2-e1b2-456d-81d7-d12a84ac8cc2}" filter="false"/>
       <rule symbol="1" label="below the detection limit" key="{a1881787-7bbd-45a9-9478-32e9160c63ba}" filter="&quot;feature&quot; = 'centre' and &quot;class&quot; not in ('relocated', 'uncertain') and not coalesce(&quot;significant&quot;, false)"/>
       <rule symbol="2" label="significant" key="{a278bede-ae2c-4828-9cb8-77ffe0354f7b}" filter="&quot;feature&quot; = 'centre' and &quot;class&quot; not in ('relocated', 'uncertain') and &quot;significant&quot; and coalesce(&quot;grade&quot;, if(&quot;d_3d&quot; > 0.1, 'alert', if(&quot;d_3d&quot; > 0.05, 'watch', 'significant'))) = 'significant'"/>
       <rule symbol="3" label="watch" key="{065c4dac-cc45-4892-bde2-5256d6f14cbc}" filter="&quot;feature&quot; = 'centre' and &quot;class&quot; not in ('relocated', 'uncertain') and &quot;significant&quot; and coalesce(&quot;grade&quot;, if(&quot;d_3d&quot; > 0.1, 'alert', if(&quot;d_3d&quot; > 0.05, 'watch', 'significant'))) = 'watch'"/>

@@ -140,7 +140,7 @@
   </elevation>
   <renderer-v2 referencescale="-1" enableorderby="0" forceraster="0" symbollevels="0" type="RuleRenderer">
     <rules key="{6f46469d-7a52-4227-a4bc-ac1415af070b}">
-      <rule symbol="0" label="arrow of 10 mm: 50 mm; ellipse: 95 %" key="{c3b3e50b-30f0-43b0-a2c8-b00ca5611e0f}" filter="false"/>
+      <rule symbol="0" label="arrow of 10 mm: 50 mm, at most 30 mm long; ellipse: 95 %" key="{c3b3e50b-30f0-43b0-a2c8-b00ca5611e0f}" filter="false"/>
       <rule symbol="1" label="below the detection limit" key="{d783dde4-7464-4b49-a424-dd914a1e884a}" filter="&quot;feature&quot; = 'centre' and &quot;class&quot; not in ('relocated', 'uncertain') and not coalesce(&quot;significant&quot;, false)"/>
       <rule symbol="2" label="significant" key="{ae1e725c-051e-48bd-9adc-711e8b90cae2}" filter="&quot;feature&quot; = 'centre' and &quot;class&quot; not in ('relocated', 'uncertain') and &quot;significant&quot; and coalesce(&quot;grade&quot;, if(&quot;d_3d&quot; > 0.1, 'alert', if(&quot;d_3d&quot; > 0.05, 'watch', 'significant'))) = 'significant'"/>
       <rule symbol="3" label="watch" key="{d179f936-76cb-4b40-bfdb-46b0e101ad0a}" filter="&quot;feature&quot; = 'centre' and &quot;class&quot; not in ('relocated', 'uncertain') and &quot;significant&quot; and coalesce(&quot;grade&quot;, if(&quot;d_3d&quot; > 0.1, 'alert', if(&quot;d_3d&quot; > 0.05, 'watch', 'significant'))) = 'watch'"/>

@@ -152,6 +152,48 @@ def test_picks_stand_beside_the_fit_and_are_replaced_by_the_same_person_only(res
     assert sorted(float(row["geom"][2]) for row in read_picks(result, "U00001")) == [4.0, 5.0]
 
 
+def test_picks_are_taken_back_and_bring_back_those_they_replaced(result: Path) -> None:
+    unit = _tracked(result)[0]
+    before = result_rows(result)
+    for east in (1.0, 2.0):
+        store_picks(result, unit, PAIR.epoch_to, {"f123": [east, 2.0, 3.0], "f124": [east, 3.0, 3.0]}, editor="A")
+    store_picks(result, unit, PAIR.epoch_to, {"f123": [5.0, 2.0, 3.0]}, editor="B")
+    with pytest.raises(InputError, match="corrected again later, by A"):
+        undo_edit(result, read_edits(result)[0].number, editor="A")
+    undo_edit(result, last_edit_of(result, "A").number, editor="A")
+    assert sorted(row["geom"][0] for row in read_picks(result, unit)) == [1.0, 1.0, 5.0]
+    undo_edit(result, last_edit_of(result, "A").number, editor="A")
+    assert [row["picked_by"] for row in read_picks(result, unit)] == ["B"]
+    assert result_rows(result) == before, "picks stand beside the fit"
+
+
+def test_picks_that_make_a_pose_stand_and_fall_with_it(result: Path) -> None:
+    unit = _tracked(result)[0]
+    store_picks(result, unit, PAIR.epoch_to, {"f123": [1.0, 2.0, 3.0]}, editor="A")
+    before = result_rows(result)
+    picks = {"f123": [4.0, 2.0, 3.0], "f124": [5.0, 2.0, 3.0], "f134": [6.0, 2.0, 3.0]}
+    set_pose(result, unit, PAIR.epoch_to, _moved_pose(result, unit, PAIR.epoch_to, 0.1), editor="A", picks=picks)
+    assert [edit.kind for edit in read_edits(result)] == ["pick", "pose"], "one act"
+    assert sorted(row["geom"][0] for row in read_picks(result, unit)) == [4.0, 5.0, 6.0]
+    # somebody else's pick is neither in the way nor lost
+    store_picks(result, unit, PAIR.epoch_to, {"f234": [9.0, 2.0, 3.0]}, editor="B")
+    undo_edit(result, last_edit_of(result, "A").number, editor="A")
+    assert sorted(row["geom"][0] for row in read_picks(result, unit)) == [1.0, 9.0]
+    assert result_rows(result) == before
+
+
+def test_picks_taken_back_after_a_merge_come_back_to_the_unit_that_has_them(result: Path) -> None:
+    unit = _tracked(result)[0]
+    name = split_unit(result, unit, "2025-04-09", editor="Ben")
+    store_picks(result, name, "2025-04-09", {"f123": [1.0, 2.0, 3.0]}, editor="A")
+    merge_units(result, unit, name, editor="Ben")
+    store_picks(result, unit, "2025-04-09", {"f123": [2.0, 2.0, 3.0]}, editor="A")
+    undo_edit(result, last_edit_of(result, "Ben").number, editor="Ben")
+    undo_edit(result, last_edit_of(result, "A").number, editor="A")
+    assert [row["geom"][0] for row in read_picks(result, name)] == [1.0]
+    assert read_picks(result, unit) == []
+
+
 def test_placeholder_counts_until_it_is_taken_back(result: Path) -> None:
     name = add_placeholder(result, "2023-04-09", [1.0, 2.0, 3.0], editor="A")
     assert [found[0] for found in placeholders(result, "2023-04-09")] == [name]

@@ -479,6 +479,7 @@ def test_missing_engine_is_an_error_under_qgis_process_too(
         ("segmenttetrapods", {**UNIT, "RADIUS": 2.0}, "smaller than half"),
         ("segmenttetrapods", {**UNIT, "CRS": "EPSG:4326"}, "geographic"),
         ("planningdetectability", {"SIGNIFICANCE": 0.4, "POWER": 0.3}, "below the power"),
+        ("displacementreport", {"INPUT": "result.gpkg", "FROM": "2024-04-09"}, "both epochs"),
         ("monitorsurvey", {}, "survey.toml"),
         ("monitorsurvey", {"EPOCHS": ["a", "b"], **UNIT}, "six columns"),
     ],

@@ -19,6 +19,7 @@ from qgis.core import (
     QgsPoint,
     QgsProcessingContext,
     QgsProcessingException,
+    QgsProcessingFeatureSource,
     QgsProcessingFeedback,
     QgsProject,
     QgsVectorLayer,
@@ -27,7 +28,7 @@ from qgis.PyQt.QtCore import QDateTime, Qt
 from tetratrack.algorithms.newsurvey import NewSurvey
 from tetratrack.algorithms.segmenttetrapods import SegmentTetrapods
 from tetratrack.algorithms.support.engine import find_engine
-from tetratrack.algorithms.support.inputs import CONTROL_COLUMNS, crs_text, write_points
+from tetratrack.algorithms.support.inputs import CONTROL_COLUMNS, crs_text, ring_of, write_points
 from tetratrack.plugin.epoch_rows import EpochRow
 from tetratrack.plugin.start_page import declared_crs, files_of_layers
 
@@ -110,6 +111,23 @@ def test_a_height_that_nothing_states_is_a_missing_field(tmp_path: Path, context
     flat = _layer("Point?crs=EPSG:5186", "", QgsGeometry.fromWkt("POINT(236480 285120)"))
     with pytest.raises(QgsProcessingException, match="has no field height"):
         _written(flat, tmp_path / "a.csv", context)
+
+
+def test_a_layer_of_something_else_is_refused_in_one_line(tmp_path: Path, context: QgsProcessingContext) -> None:
+    """Layers of results have dozens of fields: the message names the first."""
+    fields = "".join(f"&field=field{k}:string" for k in range(40))
+    other = _layer("Point?crs=EPSG:5186", fields, QgsGeometry.fromWkt("POINT(236480 285120)"))
+    with pytest.raises(QgsProcessingException, match=r"has no field height; it has point_id, field0, .*field4, …\.$"):
+        _written(other, tmp_path / "a.csv", context)
+
+
+@pytest.mark.parametrize("kind", ["Point", "LineString", "MultiPoint"])
+def test_an_area_of_interest_that_is_no_polygon_is_refused(kind: str, context: QgsProcessingContext) -> None:
+    """Dialogs offer polygon layers only; files, scripts and models bring any."""
+    places = {"Point": "(1 2)", "LineString": "(1 2, 3 4)", "MultiPoint": "((1 2), (3 4))"}[kind]
+    layer = _layer(f"{kind}?crs=EPSG:5186", "", QgsGeometry.fromWkt(f"{kind}{places}"))
+    with pytest.raises(QgsProcessingException, match="holds no polygon"):
+        ring_of(QgsProcessingFeatureSource(layer, context), QgsCoordinateReferenceSystem(), context)
 
 
 @pytest.mark.parametrize("chosen", ["", "EPSG:5186"])

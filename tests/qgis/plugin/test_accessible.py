@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from qgis.core import QgsProject
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import QEvent, QLocale, QPoint, Qt
+from qgis.PyQt.QtCore import QCoreApplication, QEvent, QLocale, QPoint, Qt
 from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import (
@@ -25,6 +25,8 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 from synthetic_result import write_points, write_result
+from tetratrack.algorithms.support.lengths import LengthFormat
+from tetratrack.algorithms.support.translation import load_translator, tr
 from tetratrack.plugin.review_dock import ReviewDock
 from tetratrack.plugin.review_plots import UnitView
 
@@ -158,6 +160,30 @@ def test_moments_are_the_same_in_every_time_zone(dock: ReviewDock, zone: str, mo
         time.tzset()
 
 
+def test_words_agree_with_numbers(qgis_app: object, repository: Path) -> None:
+    assert [tr("%n lost", count) for count in (0, 1, 2)] == ["0 lost", "1 lost", "2 lost"]
+    for language, expected in (("fr", ["0 perdu", "1 perdu", "2 perdus"]), ("es", ["0 perdidas", "1 perdida", "2 perdidas"])):
+        translator = load_translator(repository / "i18n", language)
+        if translator is None:
+            pytest.skip("no .qm: run scripts/dev/translations.py build")
+        QCoreApplication.installTranslator(translator)
+        try:
+            assert [tr("%n lost", count) for count in (0, 1, 2)] == expected
+            assert "2" in tr("Units written to {name}: %n.", 2).format(name="alarms.csv")
+        finally:
+            QCoreApplication.removeTranslator(translator)
+
+
+def test_a_standard_deviation_is_never_written_as_nothing(qgis_app: object) -> None:
+    """Models in a tank are measured to tenths of a millimetre, and the project counts in metres."""
+    lengths = LengthFormat(1.0, "m", 3)
+    assert lengths.telling(0.005) == lengths
+    assert lengths.telling(None) == lengths.telling(0.0) == lengths
+    assert lengths.telling(0.0001).text(0.01784) == "0.0178 m"
+    assert float(lengths.telling(0.000_02).number(0.000_02)) == pytest.approx(0.000_02)
+    assert LengthFormat(1000.0, "mm", 1).telling(0.0001).decimals == 1
+
+
 def test_lengths_in_the_dock_have_the_decimal_sign_of_the_map(dock: ReviewDock) -> None:
     before = QLocale()
     try:
@@ -168,12 +194,12 @@ def test_lengths_in_the_dock_have_the_decimal_sign_of_the_map(dock: ReviewDock) 
         written = f"{row.d_3d:.3f}".replace(".", ",")
         assert dock.model.text(row, "d_3d") == written
         page = dock.tabs.numbers.toPlainText()
-        assert f"{written} m ±" in page
+        assert f"{written} ± {row.sd_3d:.3f} m".replace(".", ",") in page
         assert f"{row.rotation_deg:.2f}°".replace(".", ",") in page
         assert f"{row.d_3d / row.height:.3f} H".replace(".", ",") in page
         # another epoch than that of the table's worse share
         assert f"Seen in {dock.store.pair.epoch_to}" in page
         east = row.vector[0]
-        assert f"{east:+.3f} m".replace(".", ",") in page
+        assert f"{east:+.3f} ± {row.sd[0]:.3f} m".replace(".", ",") in page
     finally:
         QLocale.setDefault(before)

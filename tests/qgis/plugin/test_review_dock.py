@@ -22,6 +22,7 @@ from qgis.core import (
     QgsExpression,
     QgsExpressionContext,
     QgsExpressionContextUtils,
+    QgsFeature,
     QgsLayoutExporter,
     QgsPointXY,
     QgsProject,
@@ -29,13 +30,13 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.gui import QgsMapCanvas, QgsMapToolPan
-from qgis.PyQt.QtCore import QItemSelectionModel, QPoint, QPointF, Qt
+from qgis.PyQt.QtCore import QItemSelectionModel, QLocale, QPoint, QPointF, Qt
 from qgis.PyQt.QtGui import QAction, QKeyEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QMainWindow, QMessageBox, QToolButton
 from synthetic_result import SRS, SyntheticUnit, features_of, run_again, write_points, write_result
 from tetratrack.core.results.geopackage_reader import EpochPair
-from tetratrack.core.review.corrections import delete_unit, placeholders, read_edits, read_picks, set_pose
+from tetratrack.core.review.corrections import delete_unit, last_edit_of, placeholders, read_edits, read_picks, set_pose
 from tetratrack.core.review.decisions import decide, read_history, read_reviews
 from tetratrack.core.review.point_index import index_folder, kept_survey
 from tetratrack.core.review.pose_consequences import NewPose
@@ -246,7 +247,7 @@ def test_no_name_no_decision(dock: ReviewDock) -> None:
     dock.store.select([shown(dock)[0]])
     dock.decisions.reviewer.setText(" ")
     click_button(dock, "accepted")
-    assert "no name" in dock.status.text()
+    assert dock.status.text().startswith("Enter your name")
     assert read_reviews(dock.store.path) == {}
 
 
@@ -381,7 +382,10 @@ def test_views_series_and_numbers_show_the_unit(dock: ReviewDock) -> None:
     assert dock.tabs.series.limit == pytest.approx(moved.detection_limit)
     dock.tabs.setCurrentIndex(2)
     text = dock.tabs.numbers.toPlainText()
-    assert f"{moved.d_3d:.3f} m" in text
+    assert f"{moved.d_3d:.3f} ± {moved.sd_3d:.3f} m" in text
+    azimuth = round(np.degrees(np.arctan2(moved.vector[0], moved.vector[1]))) % 360
+    assert f"{moved.d_horizontal:.3f} m, towards {azimuth}° from grid north" in text
+    assert f"{dock.store.pair}, datum:" in text
     assert "H" in text
     assert "Dn" in text
     checked = dock.store.details("U00001").checks
@@ -435,6 +439,60 @@ def test_click_in_the_plan_picks_the_point_under_the_cursor(dock: ReviewDock, re
     assert len(picked) == 1
     assert np.hypot(*(picked[0] - dock.tabs.plan.scene.middle)[:2]) < 12 / dock.tabs.plan.pixels_per_metre()
     assert len(read_picks(dock.store.path, unit.unit_id)) == 1
+
+
+@pytest.mark.parametrize("where", ["map", "dock"])
+def test_escape_ends_picking_wherever_the_focus_is_and_says_so(dock: ReviewDock, where: str) -> None:
+    dock.store.select([shown(dock)[0]])
+    dock.corrections.start_picking("pin", 1)
+    assert "Escape" in dock.status.text()
+    focused = dock.canvas.viewport() if where == "map" else dock.tabs.plan
+    focused.setFocus()
+    QTest.keyClick(focused, Qt.Key.Key_Escape)
+    QApplication.processEvents()
+    assert dock.status.text() == "Ended: nothing was stored."
+    assert dock.tabs.plan.picking_epoch is None
+    # what is picked now is no correction, and Escape means nothing any more
+    dock.corrections.add_pick(np.zeros(3))
+    dock.status.say("something else")
+    QTest.keyClick(focused, Qt.Key.Key_Escape)
+    assert dock.status.text() == "something else"
+    assert read_edits(dock.store.path) == []
+
+
+def test_a_pin_and_its_picks_are_taken_back_as_one(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
+    unit = next(u for u in result[1] if u.fate == "stable")
+    dock.store.select([unit.unit_id])
+    dock.corrections.start_picking("pin", 1)
+    for place in features_of(unit, 1)[1:4]:
+        dock.corrections.add_pick(place)
+    assert len(read_picks(dock.store.path, unit.unit_id)) == 3
+    dock.corrections.undo()
+    assert read_picks(dock.store.path, unit.unit_id) == []
+    assert last_edit_of(dock.store.path, "Anna") is None
+    # a pick beside the fit can be taken back as well
+    dock.corrections.start_picking("pick", 1)
+    dock.corrections.add_pick(features_of(unit, 1)[1])
+    dock.corrections.undo()
+    assert dock.status.text() == f"Taken back: points picked {unit.unit_id}."
+    assert read_picks(dock.store.path, unit.unit_id) == []
+
+
+def test_all_units_means_their_bodies_where_they_lie_now(dock: ReviewDock) -> None:
+    dock.zoom_to_all()
+    assert dock.canvas.extent().contains(dock.map.outlines.extent())
+    assert dock.canvas.extent().contains(dock.map.units.extent())
+
+
+def test_an_area_without_polygons_hides_and_shows_nothing(dock: ReviewDock) -> None:
+    layer = QgsVectorLayer(f"Polygon?crs=EPSG:{SRS}", "areas", "memory")
+    feature = QgsFeature()
+    layer.dataProvider().addFeatures([feature])
+    dock.canvas.setCurrentLayer(layer)
+    everything = shown(dock)
+    dock.set_area("polygon")
+    assert dock.status.text() == "The active layer holds no polygon."
+    assert (shown(dock), dock.filters.area.text()) == (everything, "Everywhere")
 
 
 def test_map_click_puts_a_placeholder(dock: ReviewDock) -> None:
@@ -519,10 +577,13 @@ def test_lengths_follow_the_unit_of_the_project(dock: ReviewDock) -> None:
     try:
         place = dock.store.place_of(moved.unit_id)
         assert (dock.filters.threshold.suffix(), dock.filters.threshold.value()) == (" cm", 5.0)
+        headings = [dock.model.headerData(place, Qt.Orientation.Horizontal) for place in range(len(COLUMNS))]
+        assert [text for text in headings if "cm" in text] == ["Displ. (cm)", "Horiz. (cm)", "Vert. (cm)"]
         assert dock.model.index(place, COLUMNS.index("d_3d")).data() == f"{100 * moved.d_3d:.2f}"
         labels = [rule.label() for rule in dock.map.displacements.renderer().rootRule().descendants()]
         assert any("5.00 cm" in label for label in labels)
-        assert not any("mm" in label.replace("10 mm", "") for label in labels)
+        # what is on paper stays in millimetres
+        assert not any("mm" in label.replace("10 mm", "").replace("30 mm", "") for label in labels)
         feature = next(f for f in dock.map.outlines.getFeatures() if f["unit_id"] == moved.unit_id)
         context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(dock.map.outlines))
         context.setFeature(feature)
@@ -607,6 +668,7 @@ def test_a_page_to_print_holds_what_a_reader_needs(dock: ReviewDock, tmp_path: P
     assert layout in dock.project.layoutManager().printLayouts()
     assert str(dock.store.path.stem) in layout.itemById("title").text()
     assert datum_label(dock.store.datum) in layout.itemById("subtitle").text()
+    assert "at most 30 mm long" in layout.itemById("note").text()
     assert layout.itemById("map").extent().contains(dock.canvas.extent())
     assert layout.itemById("scale_bar").linkedMap() is layout.itemById("map")
     assert Path(layout.itemById("north").picturePath()).is_file()
@@ -618,6 +680,15 @@ def test_a_page_to_print_holds_what_a_reader_needs(dock: ReviewDock, tmp_path: P
     assert QgsLayoutExporter(layout).exportToImage(str(picture), settings) == QgsLayoutExporter.ExportResult.Success
     second = dock.print_map()
     assert second.name() != layout.name()
+    before = QLocale()
+    try:
+        QLocale.setDefault(QLocale(QLocale.Language.French, QLocale.Country.France))
+        dock.canvas.zoomScale(20_000)
+        page = dock.print_map()
+        assert f"1 : {QLocale().toString(round(page.itemById('map').scale()))}" in page.itemById("subtitle").text()
+        assert "," not in page.itemById("subtitle").text().partition("1 : ")[2]
+    finally:
+        QLocale.setDefault(before)
     keep_picture(picture)
 
 

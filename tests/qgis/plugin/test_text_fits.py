@@ -178,6 +178,27 @@ def test_the_check_finds_what_is_cut(qgis_app: QgsApplication) -> None:
     root.close()
 
 
+def test_a_short_window_leaves_the_views_their_room(window: QMainWindow, result: Path) -> None:
+    """A screen of 1920 × 1080 at 150 %: QGIS's toolbars leave the dock some 500 pixels; what gives way is told by the tooltip."""
+    dock = ReviewDock(window.centralWidget(), QgsProject.instance(), window)
+    window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+    assert dock.open(result)
+    dock.store.step(1)
+    # words of some languages need one line alone
+    dock._counts.setText("160 of 160 units shown " * 8)
+    QApplication.processEvents()
+    assert dock._counts.height() >= dock._counts.sizeHint().height() > 1.5 * dock.fontMetrics().height()
+    assert dock._counts.toolTip() == ""
+    window.resize(1280, dock.minimumSizeHint().height())
+    window.resizeDocks([dock], [dock.minimumSizeHint().width()], Qt.Orientation.Horizontal)
+    QApplication.processEvents()
+    assert dock.tabs.height() >= dock.tabs.minimumHeight()
+    assert dock.tabs.geometry().bottom() < dock._splitter.height()
+    assert dock._counts.toolTip() == dock._counts.text()
+    assert dock.filters.text.width() > 60
+    dock.close()
+
+
 def test_large_letters_leave_room_for_the_views(window: QMainWindow, result: Path) -> None:
     """Letters of 13 points, as on a screen whose text is enlarged."""
     before = QApplication.font()
