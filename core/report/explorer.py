@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -20,6 +19,7 @@ from ..results.class_colours import CLASS_COLOURS, class_colour
 from ..results.geopackage_reader import EpochPair, Row
 from ..results.unit_rows import UnitRow
 from .displacement_arrows import displacement_arrows, usual_height
+from .number_formats import further_decimals
 
 Shapes = Mapping[str, PlacedShape]
 
@@ -60,10 +60,11 @@ def explorer_data(
     bodies: list[dict[str, Any]] = []
     units = []
     height = usual_height(rows)
-    steps = OUTLINE_STEPS * 10 ** max(0, math.ceil(-math.log10(height)))
+    further = further_decimals(height)
+    steps = OUTLINE_STEPS * 10**further
     for row, place in shown:
         ends = [found.get(row.unit_id) for found in shapes]
-        record = _numbers(row) | {"place": _rounded(place - origin, 3), "decision": decisions.get(row.unit_id, "")}
+        record = _numbers(row, 2 + further) | {"place": _rounded(place - origin, 3), "decision": decisions.get(row.unit_id, "")}
         seen = [shape for shape in ends if shape is not None]
         if seen:
             record["solid"] = _solid(seen[-1], solids, bodies)
@@ -85,6 +86,7 @@ def explorer_data(
         "origin": [float(v) for v in origin],
         "height": round(height, 3),
         "outline_steps": steps,
+        "decimals": 1 + further,
         "arrows": {"times": arrows.times, "drawn": [_rounded(line, 3) for line in drawn]},
         "epochs": [pair.epoch_from, pair.epoch_to],
         "classes": [{"key": kind, "name": translate(kind), "colour": class_colour(kind)} for kind in CLASS_COLOURS],
@@ -104,14 +106,14 @@ def page_script(explorer: Mapping[str, Any] | None) -> dict[str, Any]:
     return {"explorer": explorer, "script": Markup(script), "script_hash": f"sha256-{digest}"}  # noqa: S704  # nosec B704
 
 
-def _numbers(row: UnitRow) -> dict[str, Any]:
-    """Measures of a unit in centimetres and degrees, None where there is none."""
-    vector = [None] * 3 if row.vector is None else [round(100 * float(v), 2) for v in row.vector]
+def _numbers(row: UnitRow, decimals: int) -> dict[str, Any]:
+    """Measures of a unit in centimetres, of that many decimals, and degrees, None where there is none."""
+    vector = [None] * 3 if row.vector is None else [round(100 * float(v), decimals) for v in row.vector]
     return {
         "id": row.unit_id,
         "kind": row.kind,
-        "d": None if row.d_3d is None else round(100 * row.d_3d, 2),
-        "sd": None if row.sd_3d is None else round(100 * row.sd_3d, 2),
+        "d": None if row.d_3d is None else round(100 * row.d_3d, decimals),
+        "sd": None if row.sd_3d is None else round(100 * row.sd_3d, decimals),
         "e": vector[0],
         "n": vector[1],
         "h": vector[2],

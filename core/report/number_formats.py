@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from datetime import datetime
 from typing import Any
@@ -10,16 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 
-def _cm(value: float | None) -> str:
-    return "–" if value is None else f"{100 * value:.1f}"
+def further_decimals(height: float) -> int:
+    """Decimals that lengths have besides the usual ones where units are lower than a metre: one for each power of ten."""
+    return max(0, math.ceil(-math.log10(height)))
 
 
-def _mm(value: float | None) -> str:
-    return "–" if value is None else f"{1000 * value:.1f}"
-
-
-def _signed_cm(value: float | None) -> str:
-    return "–" if value is None else f"{100 * value:+.2f}"
+def _length(factor: float, decimals: int, sign: str = "") -> Callable[[float | None], str]:
+    """How a length in metres is written, after multiplication."""
+    return lambda value: "–" if value is None else f"{factor * value:{sign}.{decimals}f}"
 
 
 def _percent(value: float | None) -> str:
@@ -42,13 +41,16 @@ def _places(values: ArrayLike | None) -> str:
     return "–" if values is None else ", ".join(f"{value:.2f}" for value in np.asarray(values, dtype=np.float64))
 
 
-NUMBER_FORMATS: dict[str, Callable[[Any], str]] = {
-    "cm": _cm,
-    "signed_cm": _signed_cm,
-    "percent": _percent,
-    "mm": _mm,
-    "degrees": _degrees,
-    "p": _p,
-    "day": _day,
-    "places": _places,
-}
+def number_formats(height: float) -> dict[str, Callable[[Any], str]]:
+    """Filters by name, for units of a height H (metres): models of a tank move by tenths of a millimetre."""
+    further = further_decimals(height)
+    return {
+        "cm": _length(100, 1 + further),
+        "signed_cm": _length(100, 2 + further, "+"),
+        "percent": _percent,
+        "mm": _length(1000, 1 + further),
+        "degrees": _degrees,
+        "p": _p,
+        "day": _day,
+        "places": _places,
+    }

@@ -47,7 +47,7 @@ from .explorer import explorer_data, page_script
 from .fonts import drawable_words, is_drawable
 from .frames_page import FramesPage, frames_page
 from .mould_figures import mould_charts
-from .number_formats import NUMBER_FORMATS
+from .number_formats import number_formats
 from .result_choice import choose_pair
 from .structure_pages import StructureOptions, StructurePages, structure_pages
 
@@ -336,7 +336,7 @@ def render(data: ReportData, options: ReportOptions, translate: Translate, *, in
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters.update(NUMBER_FORMATS)
+    environment.filters.update(number_formats(data.explorer["height"]))
     language = language_of(options.language) or "en"
     shown = {"d": data, "sections": options.sections, "_": translate, "language": language, "design_packing": SPM_PACKING}
     shown |= page_script(data.explorer if interactive else None)

@@ -174,7 +174,7 @@
   const fine = decimals(H / 100);
   const told = (u) =>
     `${u.id} · ${className.get(u.kind) || u.kind}\n` +
-    (u.d === null ? "" : `${number(u.d, 1)} ± ${number(u.sd, 1)} cm\n${words.east} ${number(u.e, 1, true)}  ${words.north} ${number(u.n, 1, true)}  ${words.up} ${number(u.h, 1, true)} cm\n${words.turn} ${number(u.turn, 2)}°, p ${probability(u.p)}`);
+    (u.d === null ? "" : `${number(u.d, data.decimals)} ± ${number(u.sd, data.decimals)} cm\n${words.east} ${number(u.e, data.decimals, true)}  ${words.north} ${number(u.n, data.decimals, true)}  ${words.up} ${number(u.h, data.decimals, true)} cm\n${words.turn} ${number(u.turn, 2)}°, p ${probability(u.p)}`);
   drawing.addEventListener("pointermove", (event) => {
     const [x, y] = at(event), [w, h] = size();
     const east = data.origin[0] + view.x + (x - w / 2) / view.metre, north = data.origin[1] - view.y - (y - h / 2) / view.metre;
@@ -227,7 +227,7 @@
     const line = document.createElement("tr");
     line.tabIndex = 0;
     line.dataset.unit = String(k);
-    const cells = [u.id, className.get(u.kind) || u.kind, number(u.d, 1), number(u.sd, 1), number(u.e, 1, true), number(u.n, 1, true), number(u.h, 1, true), number(u.turn, 2), probability(u.p), u.decision];
+    const cells = [u.id, className.get(u.kind) || u.kind, ...[u.d, u.sd].map((v) => number(v, data.decimals)), ...[u.e, u.n, u.h].map((v) => number(v, data.decimals, true)), number(u.turn, 2), probability(u.p), u.decision];
     cells.forEach((text, column) => {
       const cell = line.insertCell();
       cell.textContent = String(text);

@@ -139,6 +139,29 @@ def test_summary_names_its_thresholds_for_laboratory_models(tmp_path: Path) -> N
     assert f"Displaced by 10 cm or more {counts['10 cm']} (" in text
 
 
+def test_lengths_have_decimals_that_suit_the_units(tmp_path: Path) -> None:
+    """Models of a tank moved by 0.8 ± 0.0 cm."""
+    said = {}
+    for height in (0.105, 2.3):
+        path = laboratory_models(tmp_path / f"{height}.gpkg", f"UPDATE units SET height = {height}")  # noqa: S608
+        with closing(sqlite3.connect(path)) as connection, connection:
+            add_spatial_functions(connection)
+            scale = height / 2.3
+            for name in ("de", "dn", "dh", "d_3d", "sd_e", "sd_n", "sd_h"):
+                connection.execute(f"UPDATE displacements SET {name} = {name} * ?", (scale,))  # noqa: S608
+            connection.execute("UPDATE displacements SET significant = 1")
+        data = write_report(path, path.with_suffix(".html"), ReportOptions(sections=("worst", "explorer"), worst=1))
+        (worst,) = data.worst
+        decimals = 1 if height > 1 else 2
+        assert data.explorer["decimals"] == decimals
+        row, (shown,) = worst.row, [unit for unit in data.explorer["units"] if unit["id"] == worst.row.unit_id]
+        assert row.sd_3d is not None
+        assert shown["sd"] == pytest.approx(100 * row.sd_3d, abs=0.51 * 0.1 ** (decimals + 1))
+        said[height] = f"{100 * row.d_3d:.{decimals}f} ± {100 * row.sd_3d:.{decimals}f} cm"
+        assert said[height] in text_of(path.with_suffix(".html").read_text(encoding="utf-8"))
+    assert not said[0.105].endswith("± 0.00 cm")
+
+
 def test_units_left_to_decide_are_said_though_others_are_rejected(tmp_path: Path) -> None:
     path = tmp_path / "four.gpkg"
     write_result(path, 4, 2)
