@@ -71,12 +71,12 @@
     <message>
       <location filename="../algorithms/comparedesign.py" />
       <source>Compares the units of one epoch with a placement plan and with a design profile: deviation and turn of every unit, places without a unit, distance from the design surface, and whether that is within the tolerance.</source>
-      <translation>Compara los bloques de una época con un plan de colocación y con un perfil de proyecto: desviación y giro de cada bloque, lugares sin bloque, distancia a la superficie de proyecto y si está dentro de la tolerancia.</translation>
+      <translation>Compara las piezas de una época con un plan de colocación y con un perfil de proyecto: desviación y giro de cada pieza, lugares sin pieza, distancia a la superficie de proyecto y si está dentro de la tolerancia.</translation>
     </message>
     <message>
       <location filename="../algorithms/comparedesign.py" />
       <source>A unit stands at the place of its own name, or at the nearest free one within one height H. Within or outside is said where the standard deviations leave no doubt of 5 % or more, open where they do.</source>
-      <translation>Un bloque está en el lugar de su propio nombre, o en el lugar libre más próximo a menos de una altura H. Se dice dentro o fuera cuando las desviaciones típicas no dejan duda del 5 % o más; si no, queda abierto.</translation>
+      <translation>Una pieza está en el lugar de su propio nombre, o en el lugar libre más próximo a menos de una altura H. Se dice dentro o fuera cuando las desviaciones típicas no dejan duda del 5 % o más; si no, queda abierto.</translation>
     </message>
     <message>
       <location filename="../algorithms/comparedesign.py" />
@@ -96,17 +96,17 @@
     <message>
       <location filename="../algorithms/comparedesign.py" />
       <source>Units outside the tolerance of the plan</source>
-      <translation>Bloques fuera de la tolerancia del plan</translation>
+      <translation>Piezas fuera de la tolerancia del plan</translation>
     </message>
     <message>
       <location filename="../algorithms/comparedesign.py" />
       <source>Planned places without a unit</source>
-      <translation>Lugares previstos sin bloque</translation>
+      <translation>Lugares previstos sin pieza</translation>
     </message>
     <message>
       <location filename="../algorithms/comparedesign.py" />
       <source>Units outside the tolerance of the profile</source>
-      <translation>Bloques fuera de la tolerancia del perfil</translation>
+      <translation>Piezas fuera de la tolerancia del perfil</translation>
     </message>
     <message>
       <location filename="../algorithms/crosssections.py" />
@@ -116,12 +116,12 @@
     <message>
       <location filename="../algorithms/crosssections.py" />
       <source>Cuts the structure across its axis: outlines of the blocks of every epoch, surface of the points and design in each section, height and width of the crest of each reach, and settlement along the structure.</source>
-      <translation>Corta la estructura transversalmente a su eje: contornos de los bloques de cada época, superficie de los puntos y proyecto en cada sección, cota y anchura de la coronación de cada tramo, y asiento a lo largo de la estructura.</translation>
+      <translation>Corta la estructura transversalmente a su eje: contornos de las piezas de cada época, superficie de los puntos y proyecto en cada sección, cota y anchura de la coronación de cada tramo, y asiento a lo largo de la estructura.</translation>
     </message>
     <message>
       <location filename="../algorithms/crosssections.py" />
       <source>Points are those read around the units for the review (unit-points); without them sections show blocks alone.</source>
-      <translation>Los puntos son los leídos alrededor de los bloques para la revisión (unit-points); sin ellos las secciones muestran solo los bloques.</translation>
+      <translation>Los puntos son los leídos alrededor de las piezas para la revisión (unit-points); sin ellos las secciones muestran solo las piezas.</translation>
     </message>
     <message>
       <location filename="../algorithms/crosssections.py" />
@@ -206,7 +206,7 @@
     <message>
       <location filename="../algorithms/displacementreport.py" />
       <source>Limits by which the units are counted that moved.</source>
-      <translation>Límites con los que se cuentan los bloques que se movieron.</translation>
+      <translation>Límites con los que se cuentan las piezas que se movieron.</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -266,7 +266,7 @@
     <message>
       <location filename="../algorithms/displacementreport.py" />
       <source>Units shown one by one</source>
-      <translation>Bloques mostrados uno a uno</translation>
+      <translation>Piezas mostradas una a una</translation>
     </message>
     <message>
       <location filename="../algorithms/displacementreport.py" />
@@ -286,7 +286,7 @@
     <message>
       <location filename="../algorithms/exportmodel.py" />
       <source>Writes the units of one epoch as bodies at their fitted poses, coloured by class, with uncertainty and movement as properties, for CAD, BIM and 3D viewers. The ending of the file chooses the format: glTF (.glb), Wavefront (.obj), DXF, IFC4x3 or the poses alone (.json).</source>
-      <translation>Escribe los bloques de una época como cuerpos en sus poses ajustadas, coloreados por clase, con incertidumbre y movimiento como propiedades, para CAD, BIM y visores 3D. La extensión del archivo elige el formato: glTF (.glb), Wavefront (.obj), DXF, IFC4x3 o solo las poses (.json).</translation>
+      <translation>Escribe las piezas de una época como cuerpos en sus poses ajustadas, coloreados por clase, con incertidumbre y movimiento como propiedades, para CAD, BIM y visores 3D. La extensión del archivo elige el formato: glTF (.glb), Wavefront (.obj), DXF, IFC4x3 o solo las poses (.json).</translation>
     </message>
     <message>
       <location filename="../algorithms/exportmodel.py" />
@@ -301,7 +301,7 @@
     <message>
       <location filename="../algorithms/exportmodel.py" />
       <source>Label of the epoch whose units are written; the latest one with units unless given.</source>
-      <translation>Etiqueta de la época cuyos bloques se escriben; si no se indica, la última con bloques.</translation>
+      <translation>Etiqueta de la época cuyas piezas se escriben; si no se indica, la última con piezas.</translation>
     </message>
     <message>
       <location filename="../algorithms/exportmodel.py" />
@@ -951,17 +951,17 @@
     <message>
       <location filename="../algorithms/residualpoints.py" />
       <source>Points less blocks</source>
-      <translation>Puntos menos bloques</translation>
+      <translation>Puntos menos piezas</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
       <source>Writes the points around the units of one epoch with their distance to the nearest fitted unit, coloured from blue (10 cm or more within a body) through white to red (10 cm or more outside): what is red is debris, a unit that was missed, or one that is broken.</source>
-      <translation>Escribe los puntos alrededor de los bloques de una época con su distancia al bloque ajustado más próximo, coloreados de azul (10 cm o más dentro de un cuerpo) a rojo (10 cm o más fuera) pasando por blanco: lo rojo son escombros, un bloque no encontrado o uno roto.</translation>
+      <translation>Escribe los puntos alrededor de las piezas de una época con su distancia a la pieza ajustada más próxima, coloreados de azul (10 cm o más dentro de un cuerpo) a rojo (10 cm o más fuera) pasando por blanco: lo rojo son escombros, una pieza no encontrada o una rota.</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
       <source>Points are those read around the units for the review (unit-points), in the control frame. For units lower than 2 m, and models of a tank, colours end at 5 % of the height H instead of 10 cm; points near no unit have the distance 10 m.</source>
-      <translation>Los puntos son los leídos alrededor de los bloques para la revisión (unit-points), en el marco de control. Para bloques de menos de 2 m y modelos de tanque, los colores terminan en el 5 % de la altura H en lugar de 10 cm; los puntos lejos de todo bloque tienen la distancia 10 m.</translation>
+      <translation>Los puntos son los leídos alrededor de las piezas para la revisión (unit-points), en el marco de control. Para piezas de menos de 2 m y modelos de tanque, los colores terminan en el 5 % de la altura H en lugar de 10 cm; los puntos lejos de toda pieza tienen la distancia 10 m.</translation>
     </message>
     <message>
       <location filename="../algorithms/residualpoints.py" />
@@ -976,12 +976,12 @@
     <message>
       <location filename="../algorithms/result_algorithm.py" />
       <source>Label of the epoch whose units are looked at; the latest one with units unless given.</source>
-      <translation>Nombre de la época cuyos bloques se miran; por defecto la última que los tiene.</translation>
+      <translation>Nombre de la época cuyas piezas se miran; por defecto la última que las tiene.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
       <source>Degrees a unit may be turned from its planned orientation.</source>
-      <translation>Grados que un bloque puede estar girado respecto a la orientación prevista.</translation>
+      <translation>Grados que una pieza puede estar girada respecto a la orientación prevista.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1001,7 +1001,7 @@
     <message>
       <location filename="../algorithms/result_algorithm.py" />
       <source>Metres a unit may be from its planned place.</source>
-      <translation>Metros que un bloque puede distar de su lugar previsto.</translation>
+      <translation>Metros que una pieza puede distar de su lugar previsto.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1016,12 +1016,12 @@
     <message>
       <location filename="../algorithms/result_algorithm.py" />
       <source>Metres a unit may be off the design profile.</source>
-      <translation>Metros que un bloque puede distar del perfil de proyecto.</translation>
+      <translation>Metros que una pieza puede distar del perfil de proyecto.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
       <source>Places easting,northing along it, separated by blanks; the centreline of the units unless given.</source>
-      <translation>Lugares easting,northing a lo largo del eje, separados por espacios; por defecto la línea central de los bloques.</translation>
+      <translation>Lugares easting,northing a lo largo del eje, separados por espacios; por defecto la línea central de las piezas.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1031,7 +1031,7 @@
     <message>
       <location filename="../algorithms/result_algorithm.py" />
       <source>Metres along the axis; four heights of a unit unless given.</source>
-      <translation>Metros a lo largo del eje; por defecto cuatro alturas de bloque.</translation>
+      <translation>Metros a lo largo del eje; por defecto cuatro alturas de pieza.</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1056,12 +1056,12 @@
     <message>
       <location filename="../algorithms/result_algorithm.py" />
       <source>outermost point of a unit</source>
-      <translation>punto más exterior de un bloque</translation>
+      <translation>punto más exterior de una pieza</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
       <source>centre of a unit</source>
-      <translation>centro de un bloque</translation>
+      <translation>centro de una pieza</translation>
     </message>
     <message>
       <location filename="../algorithms/result_algorithm.py" />
@@ -1356,7 +1356,7 @@
     <message>
       <location filename="../algorithms/support/field_titles.py" />
       <source>Nearest units</source>
-      <translation>Bloques más próximos</translation>
+      <translation>Piezas más próximas</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
@@ -2196,7 +2196,7 @@
     <message>
       <location filename="../algorithms/support/layers.py" />
       <source>placeholder for a unit not found</source>
-      <translation>marcador de un bloque no encontrado</translation>
+      <translation>marcador de una pieza no encontrada</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
@@ -2211,17 +2211,17 @@
     <message>
       <location filename="../algorithms/support/layers.py" />
       <source>Outlines of the units</source>
-      <translation>Contornos de los bloques</translation>
+      <translation>Contornos de las piezas</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
       <source>Surfaces of the units (3D)</source>
-      <translation>Superficies de los bloques (3D)</translation>
+      <translation>Superficies de las piezas (3D)</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
       <source>Placement of the units</source>
-      <translation>Colocación de los bloques</translation>
+      <translation>Colocación de las piezas</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
@@ -2291,12 +2291,12 @@
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
       <source>A unit that moves by {length} in its worst direction is found with the chosen power; the mark in the chart.</source>
-      <translation>Un bloque que se mueve {length} en su peor dirección se encuentra con la potencia elegida; la marca del gráfico.</translation>
+      <translation>Una pieza que se mueve {length} en su peor dirección se encuentra con la potencia elegida; la marca del gráfico.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
       <source>{share} % of a unit seen</source>
-      <translation>{share} % de un bloque visto</translation>
+      <translation>{share} % de una pieza vista</translation>
     </message>
     <message>
       <location filename="../algorithms/support/plan_chart.py" />
@@ -2306,7 +2306,7 @@
     <message>
       <location filename="../algorithms/support/wording.py" />
       <source>The epochs and the unit given</source>
-      <translation>Las épocas y el bloque indicados</translation>
+      <translation>Las épocas y la pieza indicadas</translation>
     </message>
     <message>
       <location filename="../algorithms/support/wording.py" />
@@ -2711,7 +2711,7 @@
     <message>
       <location filename="../plugin/print_map.py" />
       <source>Displacements of armour units</source>
-      <translation>Desplazamientos de los bloques del manto</translation>
+      <translation>Desplazamientos de las piezas del manto</translation>
     </message>
     <message>
       <location filename="../plugin/print_map.py" />
@@ -2821,7 +2821,7 @@
     <message>
       <location filename="../plugin/review_corrections.py" />
       <source>The three points do not fit the shape of {unit}: they are {misfit} off, where {worst} would be usual. Were they joints of this unit? Store the pose all the same?</source>
-      <translation>Los tres puntos no encajan con la forma de {unit}: se desvían {misfit}, cuando lo habitual sería {worst}. ¿Eran uniones de este bloque? ¿Guardar la pose de todos modos?</translation>
+      <translation>Los tres puntos no encajan con la forma de {unit}: se desvían {misfit}, cuando lo habitual sería {worst}. ¿Eran uniones de esta pieza? ¿Guardar la pose de todos modos?</translation>
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
@@ -3172,7 +3172,7 @@
     <message>
       <location filename="../plugin/review_dock.py" />
       <source>A click on the map picks the unit or arrow there</source>
-      <translation>Un clic en el mapa elige el bloque o la flecha que hay allí</translation>
+      <translation>Un clic en el mapa elige la pieza o la flecha que hay allí</translation>
     </message>
     <message>
       <location filename="../plugin/review_dock.py" />
@@ -3350,7 +3350,7 @@
     <message>
       <location filename="../plugin/review_exports.py" />
       <source>Points less blocks…</source>
-      <translation>Puntos menos bloques…</translation>
+      <translation>Puntos menos piezas…</translation>
     </message>
     <message>
       <location filename="../plugin/review_map.py" />
@@ -3425,7 +3425,7 @@
     <message>
       <location filename="../plugin/review_panels.py" />
       <source>The map shows only the units that the list shows</source>
-      <translation>El mapa muestra solo los bloques que muestra la lista</translation>
+      <translation>El mapa muestra solo las piezas que muestra la lista</translation>
     </message>
     <message>
       <location filename="../plugin/review_panels.py" />
@@ -3545,7 +3545,7 @@
     <message>
       <location filename="../plugin/review_tabs.py" />
       <source>Reads the points around the units from the tiles of the survey, for the views and for picking</source>
-      <translation>Lee de las teselas del levantamiento los puntos alrededor de los bloques, para las vistas y el marcado</translation>
+      <translation>Lee de las teselas del levantamiento los puntos alrededor de las piezas, para las vistas y el marcado</translation>
     </message>
     <message>
       <location filename="../plugin/review_tabs.py" />
@@ -3785,7 +3785,7 @@
     <message>
       <location filename="../plugin/start_page.py" />
       <source>Height H of the unit</source>
-      <translation>Altura H del bloque</translation>
+      <translation>Altura H de la pieza</translation>
     </message>
     <message>
       <location filename="../plugin/start_page.py" />
@@ -3815,7 +3815,7 @@
     <message>
       <location filename="../plugin/start_page.py" />
       <source>Units of {heights} m height.</source>
-      <translation>Bloques de {heights} m de altura.</translation>
+      <translation>Piezas de {heights} m de altura.</translation>
     </message>
     <message>
       <location filename="../plugin/tetratrack_plugin.py" />
@@ -3865,47 +3865,47 @@
     <message>
       <location filename="../core/report/templates/section_blocks.html" />
       <source>Blocks</source>
-      <translation>Bloques</translation>
+      <translation>Piezas</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_blocks.html" />
       <source>View of the blocks by class</source>
-      <translation>Vista de los bloques por clase</translation>
+      <translation>Vista de las piezas por clase</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_blocks.html" />
       <source>Fitted units of {epoch} by class, seen from the low side.</source>
-      <translation>Bloques ajustados de {epoch} por clase, vistos desde el lado bajo.</translation>
+      <translation>Piezas ajustadas de {epoch} por clase, vistas desde el lado bajo.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>Castings</source>
-      <translation>Bloques moldeados</translation>
+      <translation>Piezas hormigonadas</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>Mould {name} of an earlier survey, of {units} units, is held.</source>
-      <translation>Se mantiene el molde {name} de un levantamiento anterior, de {units} bloques.</translation>
+      <translation>Se mantiene el molde {name} de un levantamiento anterior, de {units} piezas.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>The mould was learned from {units} units of this survey.</source>
-      <translation>El molde se determinó a partir de {units} bloques de este levantamiento.</translation>
+      <translation>El molde se determinó a partir de {units} piezas de este levantamiento.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>H = {height} m: radius {radius} m, taper {taper}. Size of single castings ± {size}, radius of single legs ± {leg} mm (one standard deviation).</source>
-      <translation>H = {height} m: radio {radius} m, conicidad {taper}. Tamaño de los bloques ± {size}, radio de las patas ± {leg} mm (una desviación estándar).</translation>
+      <translation>H = {height} m: radio {radius} m, conicidad {taper}. Tamaño de las piezas ± {size}, radio de las patas ± {leg} mm (una desviación estándar).</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>Departure of the mould from its cones: along a leg, and unrolled around it. What is alike on all units is held; how single castings differ widens the standard deviations where two epochs see other surfaces.</source>
-      <translation>Desviación del molde respecto de sus conos: a lo largo de una pata y desarrollada alrededor. Lo común a todos los bloques se mantiene; lo que los distingue amplía las desviaciones estándar donde dos épocas ven otras superficies.</translation>
+      <translation>Desviación del molde respecto de sus conos: a lo largo de una pata y desarrollada alrededor. Lo común a todas las piezas se mantiene; lo que las distingue amplía las desviaciones estándar donde dos épocas ven otras superficies.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>Too few units show enough of themselves for a mould: cones are held, and castings vary as the literature says.</source>
-      <translation>Muy pocos bloques se ven lo suficiente para un molde: se mantienen los conos, y los bloques varían como dice la bibliografía.</translation>
+      <translation>Muy pocas piezas se ven lo suficiente para un molde: se mantienen los conos, y las piezas varían como dice la bibliografía.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
@@ -4060,7 +4060,7 @@
     <message>
       <location filename="../core/report/templates/section_damage.html" />
       <source>No damage: no unit moved by one Dn or is lost. Initiation of damage: some did. Iribarren's damage: neighbours of the outer layer did. Initiation of destruction: a unit of the layer below did. Destruction cannot be told from units.</source>
-      <translation>Sin daño: ningún bloque se movió un Dn ni se perdió. Inicio de avería: algunos. Avería de Iribarren: vecinos de la capa exterior. Inicio de destrucción: un bloque de la capa inferior. La destrucción no se ve por los bloques.</translation>
+      <translation>Sin daño: ninguna pieza se movió un Dn ni se perdió. Inicio de avería: algunas. Avería de Iribarren: vecinas de la capa exterior. Inicio de destrucción: una pieza de la capa inferior. La destrucción no se ve por las piezas.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />
@@ -4120,17 +4120,17 @@
     <message>
       <location filename="../core/report/templates/section_design.html" />
       <source>Map of the units against the design</source>
-      <translation>Mapa de los bloques frente al proyecto</translation>
+      <translation>Mapa de las piezas frente al proyecto</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_design.html" />
       <source>Units of {epoch} against the design; coordinates in {crs}.</source>
-      <translation>Bloques de {epoch} frente al proyecto; coordenadas en {crs}.</translation>
+      <translation>Piezas de {epoch} frente al proyecto; coordenadas en {crs}.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_design.html" />
       <source>Units at a planned place</source>
-      <translation>Bloques en un lugar previsto</translation>
+      <translation>Piezas en un lugar previsto</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_design.html" />
@@ -4185,12 +4185,12 @@
     <message>
       <location filename="../core/report/templates/section_design.html" />
       <source>The {count} units farthest from their place; all stand in the file of tetratrack design.</source>
-      <translation>Los {count} bloques más alejados de su lugar; todos están en el archivo de tetratrack design.</translation>
+      <translation>Las {count} piezas más alejadas de su lugar; todas están en el archivo de tetratrack design.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_design.html" />
       <source>Units under the profile's lines</source>
-      <translation>Bloques bajo las líneas del perfil</translation>
+      <translation>Piezas bajo las líneas del perfil</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_design.html" />
@@ -4205,7 +4205,7 @@
     <message>
       <location filename="../core/report/templates/section_design.html" />
       <source>A unit is within or outside the tolerance where its standard deviation leaves no doubt of 5 % or more.</source>
-      <translation>Un bloque está dentro o fuera de la tolerancia cuando su desviación típica no deja duda del 5 % o más.</translation>
+      <translation>Una pieza está dentro o fuera de la tolerancia cuando su desviación típica no deja duda del 5 % o más.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_displacements.html" />
@@ -4230,7 +4230,7 @@
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
       <source>Units, one by one</source>
-      <translation>Bloques, uno a uno</translation>
+      <translation>Piezas, una a una</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
@@ -4285,7 +4285,7 @@
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
       <source>Blocks of both epochs</source>
-      <translation>Bloques de ambas épocas</translation>
+      <translation>Piezas de ambas épocas</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
@@ -4305,7 +4305,7 @@
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
       <source>This browser shows no 3D (WebGL): the picture of the blocks below stands for it.</source>
-      <translation>Este navegador no muestra 3D (WebGL): la imagen de los bloques de abajo la sustituye.</translation>
+      <translation>Este navegador no muestra 3D (WebGL): la imagen de las piezas de abajo la sustituye.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
@@ -4325,7 +4325,7 @@
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
       <source>{shown} of {all} units</source>
-      <translation>{shown} de {all} bloques</translation>
+      <translation>{shown} de {all} piezas</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_explorer.html" />
@@ -4460,7 +4460,7 @@
     <message>
       <location filename="../core/report/templates/section_map.html" />
       <source>Map of a part with the units' names</source>
-      <translation>Mapa de una parte con los nombres de los bloques</translation>
+      <translation>Mapa de una parte con los nombres de las piezas</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_map.html" />
@@ -4500,7 +4500,7 @@
     <message>
       <location filename="../core/report/templates/section_placement.html" />
       <source>Units with neighbours on all sides</source>
-      <translation>Bloques con vecinos por todos los lados</translation>
+      <translation>Piezas con vecinas por todos los lados</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_placement.html" />
@@ -4520,17 +4520,17 @@
     <message>
       <location filename="../core/report/templates/section_placement.html" />
       <source>Contacts of a unit, mean</source>
-      <translation>Contactos de un bloque, media</translation>
+      <translation>Contactos de una pieza, media</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_placement.html" />
       <source>Free gap to the nearest unit, median (cm)</source>
-      <translation>Holgura al bloque más próximo, mediana (cm)</translation>
+      <translation>Holgura a la pieza más próxima, mediana (cm)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_placement.html" />
       <source>Units in a column, of those with one below</source>
-      <translation>Bloques en columna, de los que tienen uno debajo</translation>
+      <translation>Piezas en columna, de las que tienen una debajo</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_placement.html" />
@@ -4545,12 +4545,12 @@
     <message>
       <location filename="../core/report/templates/section_placement.html" />
       <source>Units per 100 m²</source>
-      <translation>Bloques por 100 m²</translation>
+      <translation>Piezas por 100 m²</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_placement.html" />
       <source>Packing density, units per Dn²</source>
-      <translation>Densidad de colocación, bloques por Dn²</translation>
+      <translation>Densidad de colocación, piezas por Dn²</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_placement.html" />
@@ -4560,7 +4560,7 @@
     <message>
       <location filename="../core/report/templates/section_placement.html" />
       <source>Units of {epoch}, each in the plane through its neighbours; those at the edge do not count for density. Only units that were found are counted: hidden ones of a lower layer are not. The design number is {packing} units per Dn² and layer (Shore Protection Manual, 1984).</source>
-      <translation>Bloques de {epoch}, cada uno en el plano de sus vecinos; los del borde no cuentan para la densidad. Solo se cuentan los bloques encontrados, no los ocultos de una capa inferior. El número de proyecto es {packing} bloques por Dn² y capa (Shore Protection Manual, 1984).</translation>
+      <translation>Piezas de {epoch}, cada una en el plano de sus vecinas; las del borde no cuentan para la densidad. Solo se cuentan las piezas encontradas, no las ocultas de una capa inferior. El número de proyecto es {packing} piezas por Dn² y capa (Shore Protection Manual, 1984).</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_profiles.html" />
@@ -4575,7 +4575,7 @@
     <message>
       <location filename="../core/report/templates/section_profiles.html" />
       <source>Mean height of the tops of the crest's units in each reach, with its 95 % band.</source>
-      <translation>Cota media de la cima de los bloques de coronación de cada tramo, con su banda del 95 %.</translation>
+      <translation>Cota media de la cima de las piezas de coronación de cada tramo, con su banda del 95 %.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_profiles.html" />
@@ -4600,7 +4600,7 @@
     <message>
       <location filename="../core/report/templates/section_profiles.html" />
       <source>The crest of a reach are the units whose top lies less than 0.5 Dn below the highest one; its width is that of their outlines across the axis; the change is that of units that are the crest's in both epochs. Settlement of whole stretches stands under frames and common motion.</source>
-      <translation>La coronación de un tramo son los bloques cuya cima está a menos de 0,5 Dn por debajo de la más alta; su anchura es la de sus contornos a través del eje; el cambio es el de los bloques que son de la coronación en ambas épocas. El asiento de tramos enteros está en marcos y movimiento común.</translation>
+      <translation>La coronación de un tramo son las piezas cuya cima está a menos de 0,5 Dn por debajo de la más alta; su anchura es la de sus contornos a través del eje; el cambio es el de las piezas que son de la coronación en ambas épocas. El asiento de tramos enteros está en marcos y movimiento común.</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_profiles.html" />
@@ -4920,12 +4920,12 @@
     <message>
       <location filename="../core/report/structure_figures.py" />
       <source>planned place without a unit</source>
-      <translation>lugar previsto sin bloque</translation>
+      <translation>lugar previsto sin pieza</translation>
     </message>
     <message>
       <location filename="../core/report/structure_figures.py" />
       <source>unit without a planned place</source>
-      <translation>bloque sin lugar previsto</translation>
+      <translation>pieza sin lugar previsto</translation>
     </message>
     <message>
       <location filename="../core/report/structure_figures.py" />
