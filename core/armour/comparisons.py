@@ -240,7 +240,7 @@ def profiles(
         planes=planes,
         epochs=epochs,
         sections=section_rows(models, line, planes, _by_section(clouds, epochs, planes, slab), surface),
-        crest=crest_rows(models, line, planes, distance, _crest_errors(result, epochs)),
+        crest=crest_rows(models, line, planes, _crest_errors(result, epochs)),
         settlement=settlement_rows(read_layer_rows(result, "stretches"), line, float(places[:, 2].max())),
     )
 

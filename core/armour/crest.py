@@ -41,7 +41,7 @@ class CrestErrors:
     changes: Mapping[tuple[str, str], Mapping[str, float]]
 
 
-def crest_rows(models: Sequence[AsBuilt], axis: Axis, planes: Sequence[CutPlane], step: float, errors: CrestErrors) -> list[dict[str, Any]]:
+def crest_rows(models: Sequence[AsBuilt], axis: Axis, planes: Sequence[CutPlane], errors: CrestErrors) -> list[dict[str, Any]]:
     """Rows of ``crest``: height and width of the crest in the reach about every plane and epoch, and its change since the epoch before.
 
     Parameters
@@ -49,16 +49,17 @@ def crest_rows(models: Sequence[AsBuilt], axis: Axis, planes: Sequence[CutPlane]
     models, errors
         Units of every epoch, of which those that are uncertain do not count, and what is known of the errors of their heights.
     axis, planes
-        Of the structure, and of the middles of its reaches.
-    step
-        Length of a reach, metres.
+        Of the structure, and of the middles of its reaches, which are of one length and hold all units.
     """
     rows = []
+    middles = np.array([plane.along for plane in planes])
     chainages = [axis.locate(np.array([unit.shape.centre for unit in model.units]))[0] for model in models]
+    # a unit on a border, as rows of a regular placement lie, counts in one of the two reaches
+    nearest = [np.abs(along[:, None] - middles).argmin(axis=1) for along in chainages]
     for number, plane in enumerate(planes, start=1):
         before: _Crest | None = None
-        for model, along in zip(models, chainages, strict=True):
-            own = [u for u, a in zip(model.units, along, strict=True) if abs(a - plane.along) <= step / 2 + 1e-9 and u.status in COUNTED]
+        for model, reach in zip(models, nearest, strict=True):
+            own = [unit for unit, its in zip(model.units, reach, strict=True) if its == number - 1 and unit.status in COUNTED]
             if not own:
                 before = None
                 continue

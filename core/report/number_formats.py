@@ -45,6 +45,8 @@ def number_formats(height: float) -> dict[str, Callable[[Any], str]]:
     """Filters by name, for units of a height H (metres): models of a tank move by tenths of a millimetre."""
     further = further_decimals(height)
     return {
+        "m": _length(1, 3 + further),
+        "rough_m": _length(1, 2 + further),
         "cm": _length(100, 1 + further),
         "signed_cm": _length(100, 2 + further, "+"),
         "percent": _percent,

@@ -171,6 +171,7 @@ def test_crest_height_width_and_change_are_those_of_the_construction(crest: Path
     found = profiles(crest, axis=AXIS, step=6.0)
     shape = read_as_built(crest).units[0].shape
     top = float(reach(np.array([0.0, 0.0, 1.0]), shape))
+    assert sum(row["units"] for row in found.crest) == 2 * 4 * 12, "those on a border in one reach alone"
     by_epoch = {label: [row for row in found.crest if row["epoch"] == label] for label in found.epochs}
     early, late = (by_epoch[label] for label in found.epochs)
     assert [row["crest_height"] for row in early] == pytest.approx([TOP - 0.644 * HEIGHT + top] * len(early), abs=1e-3)

@@ -25,6 +25,7 @@ from tetratrack.core.common.errors import InputError, OutputError
 from tetratrack.core.report import figures
 from tetratrack.core.report import report as report_module
 from tetratrack.core.report.alarms import write_alarms
+from tetratrack.core.report.number_formats import number_formats
 from tetratrack.core.report.report import SECTIONS, ReportOptions, translator, write_report
 from tetratrack.core.report.structure_pages import StructureOptions
 from tetratrack.core.results.geopackage_reader import EpochPair, add_spatial_functions, epoch_pairs, read_layer_rows
@@ -160,6 +161,12 @@ def test_lengths_have_decimals_that_suit_the_units(tmp_path: Path) -> None:
         said[height] = f"{100 * row.d_3d:.{decimals}f} ± {100 * row.sd_3d:.{decimals}f} cm"
         assert said[height] in text_of(path.with_suffix(".html").read_text(encoding="utf-8"))
     assert not said[0.105].endswith("± 0.00 cm")
+
+
+def test_heights_and_widths_in_metres_have_decimals_that_suit_the_units() -> None:
+    model, prototype = number_formats(0.105), number_formats(2.3)
+    assert (prototype["m"](1.23456), prototype["rough_m"](1.23456), prototype["m"](None)) == ("1.235", "1.23", "–")
+    assert (model["m"](0.01234), model["rough_m"](0.01234)) == ("0.0123", "0.012")
 
 
 def test_units_left_to_decide_are_said_though_others_are_rejected(tmp_path: Path) -> None:
