@@ -21,7 +21,7 @@ FEWEST_A_PLACE = 15
 GENEROUS = 2.0
 """How much farther neighbours are looked for than they are supposed to lie: four times as many are found on a surface."""
 MOST_SQUARES = 4_000_000
-"""Squares of a table of places, 32 MB."""
+"""Squares of a table of places, or places listed in them, up to which it is made: 32 MB each."""
 
 
 class Grid(NamedTuple):
@@ -88,18 +88,26 @@ def neighbours_of_some(points: FloatArray, chosen: IntArray, count: int) -> tupl
     least = max(0.1 * float(np.median(apart)), float((high - low).max()) / len(points))
     reach = GENEROUS * np.maximum(apart, least) * np.sqrt(count * len(places) / (SPARSE_NEIGHBOURS * len(points)))
     edge = float(np.median(reach))
-    if not edge or np.prod((high - low) / edge + 1) > MOST_SQUARES:
-        # all in one place, or what lies together lies in a corner of the extent
-        return _by_tree(points, places, count)
     distance, index = np.full((len(places), count), np.inf), np.zeros((len(places), count), dtype=np.int64)
     left = np.arange(len(places))
     while len(left):
+        cell = max(edge, float(np.median(reach[left])))
+        if not cell or _squares(places[left], reach[left], cell) > MOST_SQUARES:
+            # all in one place, or what lies together lies in a corner of the extent
+            distance[left], index[left] = _by_tree(points, places[left], count)
+            break
         near, which = np.full((len(left), count), np.inf), np.zeros((len(left), count), dtype=np.int64)
-        _pass_by(points, places[left], reach[left], max(edge, float(np.median(reach[left]))), near, which)
+        _pass_by(points, places[left], reach[left], cell, near, which)
         distance[left], index[left] = np.sqrt(near), which
         left = left[distance[left, -1] > reach[left]]
         reach[left] *= 2
     return distance, index
+
+
+def _squares(places: FloatArray, reach: FloatArray, cell: float) -> float:
+    """Squares that :func:`_pass_by` holds, or places that they list where these are more."""
+    low, high = (places[:, :2] - reach[:, None]).min(axis=0), (places[:, :2] + reach[:, None]).max(axis=0)
+    return float(max(np.prod((high - low) / cell + 1), np.sum((2 * reach / cell + 2) ** 2)))
 
 
 def _by_tree(points: FloatArray, places: FloatArray, count: int) -> tuple[FloatArray, IntArray]:
@@ -123,9 +131,14 @@ def _pass_by(points: Any, places: Any, reach: Any, cell: float, near: Any, which
     # counted first, then listed from the last place of each square down
     for turn in range(2):
         for i in range(len(places)):
-            for a in range(int((places[i, 0] - reach[i] - low_x) / cell), int((places[i, 0] + reach[i] - low_x) / cell) + 1):
-                for b in range(int((places[i, 1] - reach[i] - low_y) / cell), int((places[i, 1] + reach[i] - low_y) / cell) + 1):
-                    square = min(a, columns - 1) * rows + min(b, rows - 1)
+            # rounding may lead past the last one
+            first_a = min(int((places[i, 0] - reach[i] - low_x) / cell), columns - 1)
+            first_b = min(int((places[i, 1] - reach[i] - low_y) / cell), rows - 1)
+            last_a = min(int((places[i, 0] + reach[i] - low_x) / cell), columns - 1)
+            last_b = min(int((places[i, 1] + reach[i] - low_y) / cell), rows - 1)
+            for a in range(first_a, last_a + 1):
+                for b in range(first_b, last_b + 1):
+                    square = a * rows + b
                     if turn == 0:
                         start[square] += 1
                     else:

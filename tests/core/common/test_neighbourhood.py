@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
@@ -77,3 +79,30 @@ def test_neighbours_of_a_few_places_and_of_places_that_coincide() -> None:
         distance, _ = neighbours_of_some(points, chosen, 3)
         np.testing.assert_allclose(distance, cKDTree(points).query(points[chosen], k=3)[0], atol=1e-12)
     assert not neighbours_of_some(np.ones((5000, 3)), np.arange(60), 3)[0].any()
+
+
+def test_the_last_place_that_is_left_has_no_neighbour_twice() -> None:
+    """A square of its own reach is half as wide as what it is asked about, and rounding led past the last one."""
+    rng = np.random.default_rng(5)
+    for _ in range(100):
+        dense = rng.uniform(0, 3, (3000, 3)) * [1, 1, 0.01]
+        beside = rng.uniform([20, 20, 0], [21, 21, 1]) + np.vstack([np.zeros(3), rng.normal(0, 0.5, (40, 3))])
+        points = np.vstack([dense, beside])
+        chosen = np.append(rng.choice(len(dense), 60, replace=False), len(dense))
+        distance, index = neighbours_of_some(points, chosen, 25)
+        np.testing.assert_allclose(distance, cKDTree(points).query(points[chosen], k=25)[0], atol=1e-12)
+        assert len(set(index[-1].tolist())) == 25
+
+
+def test_strewn_points_far_away_need_no_table_of_all_between() -> None:
+    """One in a hundred along 2 km took 4 GB of squares for 300 000 points."""
+    rng = np.random.default_rng(6)
+    points = rng.random((60_000, 3)) * [60, 0.5, 0.1]
+    points[:600] = rng.random((600, 3)) * [2000, 0.5, 1]
+    chosen = rng.choice(len(points), 1500, replace=False)
+    tracemalloc.start()
+    distance, _ = neighbours_of_some(points, chosen, 24)
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    np.testing.assert_allclose(distance, cKDTree(points).query(points[chosen], k=24)[0], atol=1e-12)
+    assert most < 150e6
