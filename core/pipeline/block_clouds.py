@@ -74,6 +74,10 @@ class BlockClouds:
         inside = window.contains(xyz)
         return xyz[inside] - origin, sources[inside]
 
+    def of_so_many(self, points: int) -> BlockClouds:
+        """These, or none where a survey has too many points to keep."""
+        return self if points <= MOST_KEPT else NOT_KEPT
+
     def awaited(self, blocks: Sequence[Block], seconds: float, is_cancelled: Callable[[], bool] = lambda: False) -> FloatArray | None:
         """(n, 3) points of an epoch of one block that another process is reading, as soon as it keeps them.
 

@@ -23,7 +23,6 @@ from ..model.unit_types import UnitType
 from ..results.run_record import RunRecord
 from ..segmentation.segment import MOST_INTERPENETRATION
 from .array_files import loaded_arrays
-from .block_clouds import MOST_KEPT, NOT_KEPT
 from .block_jobs import (
     BLOCK_ARRAYS,
     GRADIENT_TOLERANCE,
@@ -171,7 +170,7 @@ def segment_epochs(
         A tile is damaged.
     """
     blocks = [(plan, block) for plan in plans for block in plan.blocks]
-    clouds = runner.clouds if sum(plan.points for plan in plans) <= MOST_KEPT else NOT_KEPT
+    clouds = runner.clouds.of_so_many(sum(plan.points for plan in plans))
     jobs = [
         SegmentJob(
             block=block,

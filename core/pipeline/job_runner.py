@@ -13,7 +13,7 @@ import socket
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, wait
 from concurrent.futures.process import BrokenProcessPool
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any, Protocol, Self
@@ -85,10 +85,10 @@ class JobRunner:
     is_cancelled: Callable[[], bool] = lambda: False
     processes: LocalProcesses | None = None
     clouds: BlockClouds = NOT_KEPT
+    has_company: bool = field(default=False, init=False)
 
     def __post_init__(self) -> None:
         self._processes = self.processes or LocalProcesses(self.workers)
-        self.has_company = False
 
     def __enter__(self) -> Self:
         return self
@@ -171,9 +171,11 @@ class JobRunner:
             waiting = dict(zip(pending, tasks, strict=True))
             # the cores are the workers' now
             self.has_company = True
-            with threads_of_kernels(1):
-                beside()
-            self.has_company = False
+            try:
+                with threads_of_kernels(1):
+                    beside()
+            finally:
+                self.has_company = False
             while waiting:
                 done, _ = wait(waiting, timeout=0.2, return_when=FIRST_COMPLETED)
                 for future in done:

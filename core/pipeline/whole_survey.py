@@ -165,10 +165,9 @@ def _run(survey: Survey, output: Path, options: RunOptions, feedback: Feedback, 
 
     def look_beside() -> None:
         first = plans[0]
+        kept = runner.clouds.of_so_many(sum(plan.points for plan in plans))
         seconds = PATIENCE + PATIENCE_A_POINT * first.points if runner.has_company else 0.0
-        check_sizes(
-            survey, first.tiles, feedback.part(start, start), lambda: runner.clouds.awaited(first.blocks, seconds, feedback.is_cancelled)
-        )
+        check_sizes(survey, first.tiles, feedback.part(start, start), lambda: kept.awaited(first.blocks, seconds, feedback.is_cancelled))
         registrations.update(register_epochs(survey, plans, feedback))
 
     with job_runner(output, options, feedback, processes, keep_points=True) as runner:

@@ -101,8 +101,8 @@ def put_whole_in_place(finished: Path, target: Path) -> None:
     end = time.monotonic() + BUSY_SECONDS
 
     def look(status: int, remaining: int, total: int) -> None:
-        # a copy of SQLite would try for ever
-        if time.monotonic() > end:
+        # a copy of SQLite would try for ever; it asks once more when it is done
+        if status in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED) and time.monotonic() > end:
             raise sqlite3.OperationalError("database is locked")
 
     # read only and unchangeable, as nobody else knows it

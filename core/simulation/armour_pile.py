@@ -166,7 +166,7 @@ def settle(
     poses = _simulate_fall(unit, site, np.array(starts[:count]), Rotation.random(count, random_state=rng))
     scales = 1 + rng.normal(0, size_sd, count)
     top = np.argsort([-p.centre[2] for p in poses])
-    broken_units = set(rng.choice(top[: max(1, count // 2)], min(broken, count), replace=False).tolist())
+    broken_units = set(rng.choice(top[: max(1, count // 2, broken)], broken, replace=False).tolist())
     units = []
     for k, pose in enumerate(poses):
         leg, length = -1, 0.0

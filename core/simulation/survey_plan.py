@@ -121,11 +121,11 @@ class SimulationPlan:
             value = getattr(self, field)
             if not math.isfinite(value) or value < low:
                 raise InputError(f"{field} must be at least {low}, got {value!r}", where=field, remedy="Correct the number.")
-        if self.broken is not None and (self.broken < 0 or self.laboratory):
+        if self.broken is not None and (not 0 <= self.broken <= self.units or self.laboratory):
             raise InputError(
-                f"{self.broken} units with a broken leg cannot be simulated by {self.instrument}",
+                f"{self.broken} units of {self.units} with a broken leg cannot be simulated by {self.instrument}",
                 where="broken",
-                remedy="Use 0 or more and uav, tls or photogrammetry, or leave it out for a typical number.",
+                remedy="Use 0 to all units and uav, tls or photogrammetry, or leave it out for a typical number.",
             )
         for field in ("density", "noise"):
             value = getattr(self, field)

@@ -220,6 +220,14 @@ def test_a_file_that_another_program_keeps_locked_stays_as_it_was(tmp_path: Path
     assert _rows(path, "SELECT count(*) FROM sections") == [(3,)]
 
 
+def test_a_file_that_was_written_late_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "beside.gpkg"
+    _write_sections(path, 3)
+    monkeypatch.setattr(result_replacement, "BUSY_SECONDS", 0.0)
+    _write_sections(path, 400)
+    assert _rows(path, "SELECT count(*) FROM sections") == [(400,)]
+
+
 def test_what_was_left_of_a_file_that_is_gone_is_not_taken_for_the_new_ones(tmp_path: Path) -> None:
     path = tmp_path / "beside.gpkg"
     _write_sections(path, 3)

@@ -84,6 +84,6 @@ def test_nothing_is_seen_of_a_unit_without_points() -> None:
 def test_a_plan_says_how_many_units_are_broken() -> None:
     assert [SimulationPlan("s", units=n).broken_units for n in (0, 18, 75)] == [0, 0, 2]
     assert SimulationPlan("s", units=10, broken=7).broken_units == 7
-    for wrong in ({"broken": -1}, {"broken": 1, "instrument": "depth_camera"}):
+    for wrong in ({"broken": -1}, {"broken": 76}, {"broken": 1, "instrument": "depth_camera"}):
         with pytest.raises(InputError, match="broken"):
             SimulationPlan("s", **wrong)  # type: ignore[arg-type]
