@@ -270,6 +270,9 @@ def _cloud(result: Path, project: QgsProject) -> QgsPointCloudLayer | None:
         path = result.with_name(f"{result.stem}{ending}")
         if path.is_file():
             layer = QgsPointCloudLayer(str(path), path.stem, "copc")
+            for known in project.mapLayers().values():
+                if known.source() == layer.source():
+                    return known
             if layer.isValid():
                 project.addMapLayer(layer, False)
                 project.layerTreeRoot().addLayer(layer).setItemVisibilityChecked(False)

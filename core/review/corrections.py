@@ -124,6 +124,8 @@ def store_picks(path: Path, unit_id: str, epoch: str, picks: Mapping[str, ArrayL
     OutputError
         The file cannot be written.
     """
+    if not picks:
+        return
     with writing(path) as connection:
         _prepare(connection)
         place = np.mean([np.asarray(point, dtype=np.float64) for point in picks.values()], axis=0)
@@ -313,7 +315,7 @@ def undo_edit(path: Path, number: int, *, editor: str) -> UnitEdit:
         touched = _touched(row)
         later = query(connection, "SELECT * FROM unit_edits WHERE fid > ? AND NOT undone AND kind <> ?", (number, UNDO))
         before: dict[str, Any] = json.loads(row["before"] or "{}")
-        # points picked since change no row that is brought back, but one's own that replaced those taken back
+        # points picked since change no row that is brought back, but one's own may have replaced those taken back
         counted = [e for e in later if e["kind"] != PICK or ("picked" in before and e["editor"].casefold() == row["editor"].casefold())]
         blocking = next((e for e in counted if touched & _touched(e)), None)
         if blocking is not None:

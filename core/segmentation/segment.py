@@ -313,7 +313,8 @@ def _looked_again(
 ) -> _Weighed:
     """Poses in noise, and those about single elements that none of them explains, where they are worth listing.
 
-    These only add to the others, which keep their elements: as candidates among them some would take those of a unit.
+    These only add to the others, and those that are worth listing keep their elements: as candidates among them some would take those of
+    a unit.
     """
     standing = weighed.scores >= CHANCE_SCORE
     known, first = weighed.poses[standing], int(np.count_nonzero(standing))
@@ -328,9 +329,9 @@ def _looked_again(
     residuals = None if weighed.residuals is None else weighed.residuals[standing]
     more = _in_noise(points, _Weighed(poses, found, scores, residuals, owner), first, elements, scene, typical, seed)
     added = first + np.flatnonzero(more.scores[first:] >= LISTED_EVIDENCE)
-    owner = weighed.owner.copy()
+    owner, kept = weighed.owner.copy(), np.isin(weighed.owner, np.flatnonzero(standing))
     for number, k in enumerate(added, start=len(weighed.poses)):
-        owner[more.owner == k] = number
+        owner[(more.owner == k) & ~kept] = number
     return _Weighed(
         np.vstack([weighed.poses, more.poses[added]]),
         Evidence.joined([weighed.found, more.found[added]]),
