@@ -537,9 +537,7 @@ def ring_of(
     if crs.isValid():
         request.setDestinationCrs(crs, context.transformContext())
     geometries = [feature.geometry() for feature in source.getFeatures(request) if feature.hasGeometry()]
-    if not geometries:
-        raise QgsProcessingException(tr("The area of interest holds no polygon."))
-    if any(geometry.type() != Qgis.GeometryType.Polygon for geometry in geometries):
+    if not geometries or any(geometry.type() != Qgis.GeometryType.Polygon for geometry in geometries):
         raise QgsProcessingException(tr("The area of interest holds no polygon."))
     joined = QgsGeometry.unaryUnion(geometries)
     if joined.isMultipart() and len(joined.asMultiPolygon()) > 1:
