@@ -107,8 +107,8 @@ class Evidence:
         """Number of poses."""
         return len(self.table)
 
-    def __getitem__(self, some: int | slice | NDArray[np.bool_] | NDArray[np.int64]) -> Evidence:
-        """Of one pose by its number, or of some by numbers, a slice or a mask."""
+    def __getitem__(self, some: int | NDArray[np.bool_] | NDArray[np.int64]) -> Evidence:
+        """Of one pose by its number, or of some by numbers or a mask."""
         return Evidence(np.atleast_2d(self.table[some]))
 
     def replaced(self, **columns: ArrayLike) -> Evidence:

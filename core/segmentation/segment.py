@@ -226,12 +226,16 @@ def judge_poses(points: FloatArray, unit: UnitType, *, seed: int = 0, workers: i
     chosen = select(candidates, scene, active, poses[~unlikely])
     poses, found, owner = _settled(elements, np.vstack([poses[~unlikely], chosen.poses]), scene, rounds=2)
     typical = where_bridged(typical_unit(found, scene), found)
-    weighed = _Weighed(poses, found, score_among(found, poses[:, :3], scene.tolerance, typical, unit), None, owner)
+    scores = score_among(found, poses[:, :3], scene.tolerance, typical, unit)
+    residuals = None
     if scene.smoothed:
-        weighed = _in_noise(points, weighed, 0, elements, scene, typical, seed)
         if scene.tolerance <= FINE_TOLERANCE * unit.height:
-            weighed = _looked_again(points, weighed, elements, scene, typical, seed)
-    poses, found, scores, residuals, owner = weighed
+            doubted = (scores > IN_DOUBT[0]) & (scores < IN_DOUBT[1])
+            doubtful = contested(scene.points, owner, poses, unit, CLEARANCE_IN_NOISE * elements.element_noise)
+            poses, found = begun_anew(poses, found, doubted, scene, owner, doubtful, seed)
+            scores = score_among(found, poses[:, :3], scene.tolerance, typical, unit)
+        residuals = raw_residuals(points, poses, unit, thinned.noise)
+        scores = score_with_residuals(scores, residuals, found.support)
     poses, certainty = settle_twists(poses, found, scores >= FOUND_SCORE, scene, owner)
     return JudgedPoses(
         kept=cloud.kept,
@@ -282,65 +286,6 @@ def cloud_elements(points: FloatArray, unit: UnitType, *, workers: int = -1, sha
     return CloudElements(kept, points, thinned, elements, max(2.5 * elements.element_noise, 0.008 * unit.height))
 
 
-class _Weighed(NamedTuple):
-    """Poses (k, 12), the evidence for each, (k,) scores, (k, 3) residuals of raw points, and (m,) whose each element is, or -1."""
-
-    poses: FloatArray
-    found: Evidence
-    scores: FloatArray
-    residuals: FloatArray | None
-    owner: IntArray
-
-
-def _in_noise(
-    points: FloatArray, weighed: _Weighed, first: int, elements: SurfaceElements, scene: Scene, typical: TypicalUnit, seed: int
-) -> _Weighed:
-    """Poses from the ``first`` on as raw points have them, where the tolerance is fine those in doubt begun anew; others keep theirs."""
-    poses, found, scores, known, owner = weighed
-    if scene.tolerance <= FINE_TOLERANCE * scene.unit.height:
-        doubted = (scores > IN_DOUBT[0]) & (scores < IN_DOUBT[1]) & (np.arange(len(poses)) >= first)
-        doubtful = contested(scene.points, owner, poses, scene.unit, CLEARANCE_IN_NOISE * elements.element_noise)
-        poses, found = begun_anew(poses, found, doubted, scene, owner, doubtful, seed)
-        scores = score_among(found, poses[:, :3], scene.tolerance, typical, scene.unit)
-    residuals = raw_residuals(points, poses, scene.unit, scene.noise, first=first)
-    if known is not None:
-        residuals[:first] = known[:first]
-    return _Weighed(poses, found, score_with_residuals(scores, residuals, found.support), residuals, owner)
-
-
-def _looked_again(
-    points: FloatArray, weighed: _Weighed, elements: SurfaceElements, scene: Scene, typical: TypicalUnit, seed: int
-) -> _Weighed:
-    """Poses in noise, and those about single elements that none of them explains, where they are worth listing.
-
-    These only add to the others, and those that are worth listing keep their elements: as candidates among them some would take those of
-    a unit.
-    """
-    standing = weighed.scores >= CHANCE_SCORE
-    known, first = weighed.poses[standing], int(np.count_nonzero(standing))
-    active = assign(scene.points, known, scene.unit, 2.5 * scene.tolerance)[0] < 0
-    about = poses_about_elements(scene, active, weighed.poses[weighed.scores >= FOUND_SCORE])
-    chosen = select(refine(about, scene, active, most=250, sweeps=8), scene, active, known)
-    if not len(chosen.poses):
-        return weighed
-    poses, found, owner = _settled(elements, np.vstack([known, chosen.poses]), scene, rounds=2, first=first)
-    found = Evidence.joined([weighed.found[standing], found[first:]])
-    scores = score_among(found, poses[:, :3], scene.tolerance, typical, scene.unit)
-    residuals = None if weighed.residuals is None else weighed.residuals[standing]
-    more = _in_noise(points, _Weighed(poses, found, scores, residuals, owner), first, elements, scene, typical, seed)
-    added = first + np.flatnonzero(more.scores[first:] >= LISTED_EVIDENCE)
-    owner, kept = weighed.owner.copy(), np.isin(weighed.owner, np.flatnonzero(standing))
-    for number, k in enumerate(added, start=len(weighed.poses)):
-        owner[(more.owner == k) & ~kept] = number
-    return _Weighed(
-        np.vstack([weighed.poses, more.poses[added]]),
-        Evidence.joined([weighed.found, more.found[added]]),
-        np.append(weighed.scores, more.scores[added]),
-        None if weighed.residuals is None or more.residuals is None else np.vstack([weighed.residuals, more.residuals[added]]),
-        owner,
-    )
-
-
 def _searched(scene: Scene, seed: int) -> tuple[Scene, FloatArray]:
     """Poses (k, 12) that one pass after the other accepts, and the scene with the tolerance that the strongest units tell."""
     active = np.ones(len(scene.points), dtype=np.bool_)
@@ -370,16 +315,14 @@ def _candidates(scene: Scene, active: BoolArray, seed: int, *, twists: int) -> F
     return refine(np.vstack(found), scene, active, most=250, sweeps=8)
 
 
-def _settled(
-    elements: SurfaceElements, poses: FloatArray, scene: Scene, *, rounds: int, first: int = 0
-) -> tuple[FloatArray, Evidence, IntArray]:
-    """Poses from the ``first`` on refined on their exclusive points, the evidence for each of these, and the owner of every element."""
+def _settled(elements: SurfaceElements, poses: FloatArray, scene: Scene, *, rounds: int) -> tuple[FloatArray, Evidence, IntArray]:
+    """Poses refined on their exclusive points, the evidence for each, and the owner of every element."""
     poses = poses.copy()
     found = [Evidence(np.zeros((1, len(COLUMNS)))) for _ in poses]
     for _ in range(rounds):
         owner, _ = assign(scene.points, poses, scene.unit, 2.5 * scene.tolerance)
         doubtful = contested(scene.points, owner, poses, scene.unit, CLEARANCE_IN_NOISE * elements.element_noise)
-        for k in range(first, len(poses)):
+        for k in range(len(poses)):
             own = (owner == k) | (owner < 0)
             refined = refine(_numbered(poses[k], scene.unit), scene, own & ~doubtful, most=1500, sweeps=20)
             judged = evidence(refined, scene, own)
