@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -59,6 +59,8 @@ LEAST_EVIDENCE = 0.5
 """Of beams through the place of an end (logarithm of a likelihood ratio): less passes on one of a hundred whole legs."""
 LEAST_SIGHT_SECTORS = 3
 """Sectors of a shaft that must be seen before its end is missed."""
+
+Count = TypeVar("Count", float, FloatArray)
 
 
 @dataclass(frozen=True, eq=False)
@@ -195,11 +197,11 @@ class LegView:
             return math.nan, 0.0
         # a side that stops may lie in the shadow of a neighbour: it proves nothing, one that goes on does; one that goes on to the tip and
         # stops there may end where the leg breaks
-        tip, end = (INDEPENDENT * self._side_support(on_side, part, shaft).sum() for part in (TIP, END))
-        if tip > 0 and end > 0:
+        tip, end = (self._side_support(on_side, part, shaft) for part in (TIP, END))
+        if tip.sum() > 0 and end.sum() > 0:
             # an oblique break may leave one side as long
-            reaching = tuple(self._side_support(on_side, END, shaft) > 0)
-            return PRIOR_ODDS + max(-tip, math.log(left_by_breaks(self.unit, reaching))), 0.0
+            left = left_by_breaks(self.unit, tuple(end > 0))
+            return PRIOR_ODDS + max(-INDEPENDENT * tip.sum(), math.log(left)), 0.0
         support = INDEPENDENT * _support(disc, density * section)
         if disc >= LEAST_POINTS and support > 0:
             return PRIOR_ODDS - support, 0.0
@@ -208,8 +210,7 @@ class LegView:
     def _side_support(self, on_side: BoolArray, part: tuple[float, float], shaft: FloatArray) -> FloatArray:
         """(SECTORS,) log-likelihood ratios of a part of a leg's side being there; 0 in sectors that hide its ``shaft`` (SECTORS,)."""
         expected = shaft * self._area(part) / self._area(SHAFT)
-        found = self._by_sector(on_side, part)
-        return np.where(shaft >= LEAST_POINTS, found * math.log(SHOWN / STRAY) - (SHOWN - STRAY) * expected, 0.0)
+        return np.where(shaft >= LEAST_POINTS, _support(self._by_sector(on_side, part), expected), 0.0)
 
     def goes_on(self, leg: int) -> bool:
         """Whether the side of a leg is seen up to its end, in the sectors in which its shaft is."""
@@ -269,6 +270,6 @@ def left_by_breaks(unit: UnitType, sectors: tuple[bool, ...]) -> float:
     return float(max((weight * left).sum() / weight.sum(), RAREST))
 
 
-def _support(count: float, expected: float) -> float:
-    """Log-likelihood ratio of a Poisson count: ``SHOWN`` of what is expected against ``STRAY`` of it."""
+def _support(count: Count, expected: Count) -> Count:
+    """Log-likelihood ratio of a Poisson count, or of each of several: ``SHOWN`` of what is expected against ``STRAY`` of it."""
     return count * math.log(SHOWN / STRAY) - (SHOWN - STRAY) * expected
