@@ -1700,26 +1700,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 1</source>
-      <translation>Jambe 1</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 2</source>
-      <translation>Jambe 2</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 3</source>
-      <translation>Jambe 3</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 4</source>
-      <translation>Jambe 4</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
       <source>Probability of a broken leg</source>
       <translation>Probabilité d’une jambe cassée</translation>
     </message>
@@ -1807,6 +1787,21 @@
       <location filename="../algorithms/support/field_titles.py" />
       <source>In a column</source>
       <translation>En colonne</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}</source>
+      <translation>Jambe {number}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}: missing</source>
+      <translation>Jambe {number} : manque</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}: probability of a break</source>
+      <translation>Jambe {number} : probabilité de rupture</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2162,6 +2157,11 @@
       <location filename="../algorithms/support/layers.py" />
       <source>uncertain unit</source>
       <translation>bloc incertain</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>missing end of a broken leg</source>
+      <translation>bout manquant d’une jambe cassée</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
@@ -2959,8 +2959,23 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>{legs}; {missing} missing, probability {share:.0%}</source>
-      <translation>{legs} ; {missing} manquants, probabilité {share:.0%}</translation>
+      <source>Leg</source>
+      <translation>Jambe</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Its end</source>
+      <translation>Son bout</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Probability of a break</source>
+      <translation>Probabilité de rupture</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Points to</source>
+      <translation>Pointe vers</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3001,6 +3016,14 @@
       <translation>
         <numerusform>%n nouveau</numerusform>
         <numerusform>%n nouveaux</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n with a broken leg</source>
+      <translation>
+        <numerusform>%n avec une jambe cassée</numerusform>
+        <numerusform>%n avec une jambe cassée</numerusform>
       </translation>
     </message>
     <message>
@@ -3058,6 +3081,16 @@
       <source>Legs seen, of four</source>
       <translation>Jambes vues, sur quatre</translation>
     </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Broken legs</source>
+      <translation>Branches cassées</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Ends not seen, of legs</source>
+      <translation>Bouts non vus, des jambes</translation>
+    </message>
     <message numerus="yes">
       <location filename="../plugin/review_details.py" />
       <source>%n of {all} units shown</source>
@@ -3078,8 +3111,8 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Broken legs</source>
-      <translation>Branches cassées</translation>
+      <source>Missing ({unit})</source>
+      <translation>Manque ({unit})</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3100,6 +3133,16 @@
       <location filename="../plugin/review_details.py" />
       <source>Seen in {epoch}</source>
       <translation>Vu en {epoch}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Legs</source>
+      <translation>Jambes</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Points to: degrees from grid north, and above the horizon</source>
+      <translation>Pointe vers : degrés depuis le nord de la grille, et au-dessus de l’horizon</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3634,6 +3677,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Broken</source>
+      <translation>Cassées</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Name of the unit, the same in all epochs</source>
       <translation>Nom du bloc, le même à toutes les époques</translation>
     </message>
@@ -3659,6 +3707,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Numbers of the legs that are broken; the page Numbers says how sure that is, and which ends are not seen</source>
+      <translation>Numéros des jambes cassées ; la page Nombres dit avec quelle certitude, et quels bouts ne sont pas vus</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Decision of the reviewers</source>
       <translation>Décision des vérificateurs</translation>
     </message>
@@ -3666,6 +3719,21 @@
       <location filename="../plugin/review_text.py" />
       <source>Who decided, and ✓ who confirmed</source>
       <translation>Qui a décidé, et ✓ qui a confirmé</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>whole</source>
+      <translation>entière</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>broken</source>
+      <translation>cassée</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>not seen</source>
+      <translation>pas vu</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -3914,18 +3982,63 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
+      <source>Broken leg</source>
+      <translation>Branche cassée</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
       <source>Missing (m)</source>
       <translation>Manque (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
-      <source>Easting (m)</source>
-      <translation>Est (m)</translation>
+      <source>Break: easting (m)</source>
+      <translation>Cassure : est (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>Northing (m)</source>
       <translation>Nord (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Height (m)</source>
+      <translation>Altitude (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs whose ends are not seen</source>
+      <translation>Branches dont le bout n’est pas vu</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Whither a leg points: degrees from grid north clockwise, and above the horizon. The place is that of the face of fracture, or of the leg's whole end where the result does not say how much of it is missing.</source>
+      <translation>Vers où pointe une branche : degrés depuis le nord de la grille dans le sens des aiguilles d'une montre, et au-dessus de l'horizon. La position est celle de la cassure, ou celle du bout de la branche entière lorsque le résultat ne dit pas combien il en manque.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs by section along the axis</source>
+      <translation>Branches par section le long de l’axe</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Chainage (m)</source>
+      <translation>Abscisse (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Units with a broken leg</source>
+      <translation>Blocs avec une branche cassée</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs seen whole</source>
+      <translation>Branches vues entières</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Ends not seen</source>
+      <translation>Bouts non vus</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
@@ -4076,11 +4189,6 @@
       <location filename="../core/report/templates/section_damage.html" />
       <source>Share of displaced units per section</source>
       <translation>Part de blocs déplacés par section</translation>
-    </message>
-    <message>
-      <location filename="../core/report/templates/section_damage.html" />
-      <source>Chainage (m)</source>
-      <translation>Abscisse (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />

@@ -1700,26 +1700,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 1</source>
-      <translation>脚 1</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 2</source>
-      <translation>脚 2</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 3</source>
-      <translation>脚 3</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 4</source>
-      <translation>脚 4</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
       <source>Probability of a broken leg</source>
       <translation>脚の折損確率</translation>
     </message>
@@ -1807,6 +1787,21 @@
       <location filename="../algorithms/support/field_titles.py" />
       <source>In a column</source>
       <translation>縦列</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}</source>
+      <translation>脚 {number}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}: missing</source>
+      <translation>脚 {number}：欠損長</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}: probability of a break</source>
+      <translation>脚 {number}：折損確率</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2162,6 +2157,11 @@
       <location filename="../algorithms/support/layers.py" />
       <source>uncertain unit</source>
       <translation>不確かなブロック</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>missing end of a broken leg</source>
+      <translation>折損した脚の欠けた先端</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
@@ -2956,8 +2956,23 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>{legs}; {missing} missing, probability {share:.0%}</source>
-      <translation>{legs}、{missing}欠損、確率{share:.0%}</translation>
+      <source>Leg</source>
+      <translation>脚</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Its end</source>
+      <translation>先端</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Probability of a break</source>
+      <translation>折損確率</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Points to</source>
+      <translation>向き</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2996,6 +3011,13 @@
       <source>%n new</source>
       <translation>
         <numerusform>新規 %n</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n with a broken leg</source>
+      <translation>
+        <numerusform>折損した脚のあるもの %n</numerusform>
       </translation>
     </message>
     <message>
@@ -3053,6 +3075,16 @@
       <source>Legs seen, of four</source>
       <translation>見える脚(4 本中)</translation>
     </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Broken legs</source>
+      <translation>折損した脚</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Ends not seen, of legs</source>
+      <translation>先端が見えない脚</translation>
+    </message>
     <message numerus="yes">
       <location filename="../plugin/review_details.py" />
       <source>%n of {all} units shown</source>
@@ -3072,8 +3104,8 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Broken legs</source>
-      <translation>折損した脚</translation>
+      <source>Missing ({unit})</source>
+      <translation>欠損 ({unit})</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3094,6 +3126,16 @@
       <location filename="../plugin/review_details.py" />
       <source>Seen in {epoch}</source>
       <translation>可視率({epoch})</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Legs</source>
+      <translation>脚</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Points to: degrees from grid north, and above the horizon</source>
+      <translation>向き：方眼北からの角度と水平からの仰角</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3626,6 +3668,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Broken</source>
+      <translation>折損</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Name of the unit, the same in all epochs</source>
       <translation>ブロックの名前。全時期で同じ</translation>
     </message>
@@ -3651,6 +3698,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Numbers of the legs that are broken; the page Numbers says how sure that is, and which ends are not seen</source>
+      <translation>折損した脚の番号。確からしさと見えない先端は「数値」のページにあります</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Decision of the reviewers</source>
       <translation>照査者の判定</translation>
     </message>
@@ -3658,6 +3710,21 @@
       <location filename="../plugin/review_text.py" />
       <source>Who decided, and ✓ who confirmed</source>
       <translation>判定した人、✓ は確認した人</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>whole</source>
+      <translation>完全</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>broken</source>
+      <translation>折損</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>not seen</source>
+      <translation>見えない</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -3906,18 +3973,63 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
+      <source>Broken leg</source>
+      <translation>折損した脚</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
       <source>Missing (m)</source>
       <translation>欠損 (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
-      <source>Easting (m)</source>
-      <translation>東距 (m)</translation>
+      <source>Break: easting (m)</source>
+      <translation>破断面：東距 (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>Northing (m)</source>
       <translation>北距 (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Height (m)</source>
+      <translation>高さ (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs whose ends are not seen</source>
+      <translation>先端が見えない脚</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Whither a leg points: degrees from grid north clockwise, and above the horizon. The place is that of the face of fracture, or of the leg's whole end where the result does not say how much of it is missing.</source>
+      <translation>脚の向き：方眼北から時計回りの角度と水平からの仰角。位置は破断面のもので、欠損長が結果にない場合は完全な脚の先端のものです。</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs by section along the axis</source>
+      <translation>軸に沿う区間ごとの脚</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Chainage (m)</source>
+      <translation>測点距離(m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Units with a broken leg</source>
+      <translation>折損した脚のあるブロック</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs seen whole</source>
+      <translation>完全と見える脚</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Ends not seen</source>
+      <translation>見えない先端</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
@@ -4068,11 +4180,6 @@
       <location filename="../core/report/templates/section_damage.html" />
       <source>Share of displaced units per section</source>
       <translation>区間ごとの変位ブロックの割合</translation>
-    </message>
-    <message>
-      <location filename="../core/report/templates/section_damage.html" />
-      <source>Chainage (m)</source>
-      <translation>測点距離(m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />

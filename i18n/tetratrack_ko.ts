@@ -1700,26 +1700,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 1</source>
-      <translation>다리 1</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 2</source>
-      <translation>다리 2</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 3</source>
-      <translation>다리 3</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 4</source>
-      <translation>다리 4</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
       <source>Probability of a broken leg</source>
       <translation>다리 파손 확률</translation>
     </message>
@@ -1807,6 +1787,21 @@
       <location filename="../algorithms/support/field_titles.py" />
       <source>In a column</source>
       <translation>세로열</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}</source>
+      <translation>다리 {number}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}: missing</source>
+      <translation>다리 {number}: 결손 길이</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}: probability of a break</source>
+      <translation>다리 {number}: 파손 확률</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2162,6 +2157,11 @@
       <location filename="../algorithms/support/layers.py" />
       <source>uncertain unit</source>
       <translation>불확실한 블록</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>missing end of a broken leg</source>
+      <translation>파손된 다리의 없어진 끝</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
@@ -2956,8 +2956,23 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>{legs}; {missing} missing, probability {share:.0%}</source>
-      <translation>{legs}, {missing} 결손, 확률 {share:.0%}</translation>
+      <source>Leg</source>
+      <translation>다리</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Its end</source>
+      <translation>끝</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Probability of a break</source>
+      <translation>파손 확률</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Points to</source>
+      <translation>방향</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2996,6 +3011,13 @@
       <source>%n new</source>
       <translation>
         <numerusform>신규 %n</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n with a broken leg</source>
+      <translation>
+        <numerusform>파손된 다리 있음 %n</numerusform>
       </translation>
     </message>
     <message>
@@ -3053,6 +3075,16 @@
       <source>Legs seen, of four</source>
       <translation>보이는 다리 (4개 중)</translation>
     </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Broken legs</source>
+      <translation>파손된 다리</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Ends not seen, of legs</source>
+      <translation>끝이 보이지 않는 다리</translation>
+    </message>
     <message numerus="yes">
       <location filename="../plugin/review_details.py" />
       <source>%n of {all} units shown</source>
@@ -3072,8 +3104,8 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Broken legs</source>
-      <translation>파손된 다리</translation>
+      <source>Missing ({unit})</source>
+      <translation>결손 ({unit})</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3094,6 +3126,16 @@
       <location filename="../plugin/review_details.py" />
       <source>Seen in {epoch}</source>
       <translation>{epoch}에 보임</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Legs</source>
+      <translation>다리</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Points to: degrees from grid north, and above the horizon</source>
+      <translation>방향: 도북에서의 각도와 수평 위 각도</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3626,6 +3668,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Broken</source>
+      <translation>파손</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Name of the unit, the same in all epochs</source>
       <translation>블록 이름. 모든 시기에서 같음</translation>
     </message>
@@ -3651,6 +3698,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Numbers of the legs that are broken; the page Numbers says how sure that is, and which ends are not seen</source>
+      <translation>파손된 다리의 번호. 확실한 정도와 보이지 않는 끝은 「수치」 쪽에 있습니다</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Decision of the reviewers</source>
       <translation>검토자의 결정</translation>
     </message>
@@ -3658,6 +3710,21 @@
       <location filename="../plugin/review_text.py" />
       <source>Who decided, and ✓ who confirmed</source>
       <translation>결정한 사람, ✓ 확인한 사람</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>whole</source>
+      <translation>온전함</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>broken</source>
+      <translation>파손</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>not seen</source>
+      <translation>안 보임</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -3906,18 +3973,63 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
+      <source>Broken leg</source>
+      <translation>파손된 다리</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
       <source>Missing (m)</source>
       <translation>결손 (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
-      <source>Easting (m)</source>
-      <translation>동거 (m)</translation>
+      <source>Break: easting (m)</source>
+      <translation>파단면: 동거 (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>Northing (m)</source>
       <translation>북거 (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Height (m)</source>
+      <translation>높이 (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs whose ends are not seen</source>
+      <translation>끝이 보이지 않는 다리</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Whither a leg points: degrees from grid north clockwise, and above the horizon. The place is that of the face of fracture, or of the leg's whole end where the result does not say how much of it is missing.</source>
+      <translation>다리의 방향: 도북에서 시계 방향 각도와 수평 위 각도. 위치는 파단면의 것이며, 결과가 결손 길이를 말하지 않으면 온전한 다리 끝의 것입니다.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs by section along the axis</source>
+      <translation>축을 따른 구간별 다리</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Chainage (m)</source>
+      <translation>측점 거리(m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Units with a broken leg</source>
+      <translation>파손된 다리가 있는 블록</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs seen whole</source>
+      <translation>온전하게 보이는 다리</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Ends not seen</source>
+      <translation>보이지 않는 끝</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
@@ -4068,11 +4180,6 @@
       <location filename="../core/report/templates/section_damage.html" />
       <source>Share of displaced units per section</source>
       <translation>구간별 변위 블록 비율</translation>
-    </message>
-    <message>
-      <location filename="../core/report/templates/section_damage.html" />
-      <source>Chainage (m)</source>
-      <translation>측점 거리(m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />

@@ -1700,26 +1700,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 1</source>
-      <translation>Perna 1</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 2</source>
-      <translation>Perna 2</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 3</source>
-      <translation>Perna 3</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 4</source>
-      <translation>Perna 4</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
       <source>Probability of a broken leg</source>
       <translation>Probabilidade de perna partida</translation>
     </message>
@@ -1807,6 +1787,21 @@
       <location filename="../algorithms/support/field_titles.py" />
       <source>In a column</source>
       <translation>Em coluna</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}</source>
+      <translation>Perna {number}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}: missing</source>
+      <translation>Perna {number}: falta</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}: probability of a break</source>
+      <translation>Perna {number}: probabilidade de rotura</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2162,6 +2157,11 @@
       <location filename="../algorithms/support/layers.py" />
       <source>uncertain unit</source>
       <translation>bloco incerto</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>missing end of a broken leg</source>
+      <translation>ponta em falta de uma perna partida</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
@@ -2959,8 +2959,23 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>{legs}; {missing} missing, probability {share:.0%}</source>
-      <translation>{legs}; faltam {missing}, probabilidade {share:.0%}</translation>
+      <source>Leg</source>
+      <translation>Perna</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Its end</source>
+      <translation>A ponta</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Probability of a break</source>
+      <translation>Probabilidade de rotura</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Points to</source>
+      <translation>Aponta para</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3001,6 +3016,14 @@
       <translation>
         <numerusform>%n novo</numerusform>
         <numerusform>%n novos</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n with a broken leg</source>
+      <translation>
+        <numerusform>%n com uma perna partida</numerusform>
+        <numerusform>%n com uma perna partida</numerusform>
       </translation>
     </message>
     <message>
@@ -3058,6 +3081,16 @@
       <source>Legs seen, of four</source>
       <translation>Pernas vistas, de quatro</translation>
     </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Broken legs</source>
+      <translation>Pernas partidas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Ends not seen, of legs</source>
+      <translation>Pontas não vistas, das pernas</translation>
+    </message>
     <message numerus="yes">
       <location filename="../plugin/review_details.py" />
       <source>%n of {all} units shown</source>
@@ -3078,8 +3111,8 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Broken legs</source>
-      <translation>Pernas partidas</translation>
+      <source>Missing ({unit})</source>
+      <translation>Em falta ({unit})</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3100,6 +3133,16 @@
       <location filename="../plugin/review_details.py" />
       <source>Seen in {epoch}</source>
       <translation>Visto em {epoch}</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Legs</source>
+      <translation>Pernas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Points to: degrees from grid north, and above the horizon</source>
+      <translation>Aponta para: graus a partir do norte da quadrícula, e acima do horizonte</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3634,6 +3677,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Broken</source>
+      <translation>Partidas</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Name of the unit, the same in all epochs</source>
       <translation>Nome do bloco, o mesmo em todas as épocas</translation>
     </message>
@@ -3659,6 +3707,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Numbers of the legs that are broken; the page Numbers says how sure that is, and which ends are not seen</source>
+      <translation>Números das pernas partidas; a página Números diz com que certeza, e que pontas não se veem</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Decision of the reviewers</source>
       <translation>Decisão dos revisores</translation>
     </message>
@@ -3666,6 +3719,21 @@
       <location filename="../plugin/review_text.py" />
       <source>Who decided, and ✓ who confirmed</source>
       <translation>Quem decidiu, e ✓ quem confirmou</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>whole</source>
+      <translation>inteira</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>broken</source>
+      <translation>partida</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>not seen</source>
+      <translation>não se vê</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -3914,18 +3982,63 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
+      <source>Broken leg</source>
+      <translation>Perna partida</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
       <source>Missing (m)</source>
       <translation>Em falta (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
-      <source>Easting (m)</source>
-      <translation>Este (m)</translation>
+      <source>Break: easting (m)</source>
+      <translation>Rotura: este (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>Northing (m)</source>
       <translation>Norte (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Height (m)</source>
+      <translation>Altitude (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs whose ends are not seen</source>
+      <translation>Pernas cuja ponta não se vê</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Whither a leg points: degrees from grid north clockwise, and above the horizon. The place is that of the face of fracture, or of the leg's whole end where the result does not say how much of it is missing.</source>
+      <translation>Para onde aponta uma perna: graus a partir do norte da quadrícula no sentido dos ponteiros do relógio, e acima do horizonte. A posição é a da face da rotura, ou a da ponta da perna inteira quando o resultado não diz quanto falta.</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs by section along the axis</source>
+      <translation>Pernas por secção ao longo do eixo</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Chainage (m)</source>
+      <translation>Distância ao longo do eixo (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Units with a broken leg</source>
+      <translation>Blocos com uma perna partida</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs seen whole</source>
+      <translation>Pernas vistas inteiras</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Ends not seen</source>
+      <translation>Pontas não vistas</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
@@ -4076,11 +4189,6 @@
       <location filename="../core/report/templates/section_damage.html" />
       <source>Share of displaced units per section</source>
       <translation>Parte de blocos deslocados por secção</translation>
-    </message>
-    <message>
-      <location filename="../core/report/templates/section_damage.html" />
-      <source>Chainage (m)</source>
-      <translation>Distância ao longo do eixo (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />

@@ -1700,26 +1700,6 @@
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 1</source>
-      <translation>腿 1</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 2</source>
-      <translation>腿 2</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 3</source>
-      <translation>腿 3</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
-      <source>Leg 4</source>
-      <translation>腿 4</translation>
-    </message>
-    <message>
-      <location filename="../algorithms/support/field_titles.py" />
       <source>Probability of a broken leg</source>
       <translation>断腿概率</translation>
     </message>
@@ -1807,6 +1787,21 @@
       <location filename="../algorithms/support/field_titles.py" />
       <source>In a column</source>
       <translation>成列</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}</source>
+      <translation>腿 {number}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}: missing</source>
+      <translation>腿 {number}：缺失长度</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/field_titles.py" />
+      <source>Leg {number}: probability of a break</source>
+      <translation>腿 {number}：断裂概率</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2162,6 +2157,11 @@
       <location filename="../algorithms/support/layers.py" />
       <source>uncertain unit</source>
       <translation>不确定的块体</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>missing end of a broken leg</source>
+      <translation>断腿缺失的端部</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
@@ -2956,8 +2956,23 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>{legs}; {missing} missing, probability {share:.0%}</source>
-      <translation>{legs}；缺失 {missing}，概率 {share:.0%}</translation>
+      <source>Leg</source>
+      <translation>腿</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Its end</source>
+      <translation>端部</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Probability of a break</source>
+      <translation>断裂概率</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Points to</source>
+      <translation>指向</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -2996,6 +3011,13 @@
       <source>%n new</source>
       <translation>
         <numerusform>%n 个新增</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <location filename="../plugin/review_details.py" />
+      <source>%n with a broken leg</source>
+      <translation>
+        <numerusform>%n 个有断腿</numerusform>
       </translation>
     </message>
     <message>
@@ -3053,6 +3075,16 @@
       <source>Legs seen, of four</source>
       <translation>可见的腿(共四条)</translation>
     </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Broken legs</source>
+      <translation>断裂的支腿</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Ends not seen, of legs</source>
+      <translation>端部不可见的腿</translation>
+    </message>
     <message numerus="yes">
       <location filename="../plugin/review_details.py" />
       <source>%n of {all} units shown</source>
@@ -3072,8 +3104,8 @@
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
-      <source>Broken legs</source>
-      <translation>断裂的支腿</translation>
+      <source>Missing ({unit})</source>
+      <translation>缺失 ({unit})</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3094,6 +3126,16 @@
       <location filename="../plugin/review_details.py" />
       <source>Seen in {epoch}</source>
       <translation>{epoch} 可见</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Legs</source>
+      <translation>腿</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_details.py" />
+      <source>Points to: degrees from grid north, and above the horizon</source>
+      <translation>指向：自坐标北起的角度和高于水平面的角度</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3626,6 +3668,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Broken</source>
+      <translation>断腿</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Name of the unit, the same in all epochs</source>
       <translation>块体名称,各期相同</translation>
     </message>
@@ -3651,6 +3698,11 @@
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
+      <source>Numbers of the legs that are broken; the page Numbers says how sure that is, and which ends are not seen</source>
+      <translation>断裂的腿的编号；“数值”页说明其可靠程度以及哪些端部不可见</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
       <source>Decision of the reviewers</source>
       <translation>审核人的决定</translation>
     </message>
@@ -3658,6 +3710,21 @@
       <location filename="../plugin/review_text.py" />
       <source>Who decided, and ✓ who confirmed</source>
       <translation>谁作出决定,✓ 谁确认</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>whole</source>
+      <translation>完整</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>broken</source>
+      <translation>断裂</translation>
+    </message>
+    <message>
+      <location filename="../plugin/review_text.py" />
+      <source>not seen</source>
+      <translation>不可见</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
@@ -3906,18 +3973,63 @@
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
+      <source>Broken leg</source>
+      <translation>断裂的支腿</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
       <source>Missing (m)</source>
       <translation>缺失 (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
-      <source>Easting (m)</source>
-      <translation>东坐标 (m)</translation>
+      <source>Break: easting (m)</source>
+      <translation>断面：东坐标 (m)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
       <source>Northing (m)</source>
       <translation>北坐标 (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Height (m)</source>
+      <translation>高程 (m)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs whose ends are not seen</source>
+      <translation>端部不可见的支腿</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Whither a leg points: degrees from grid north clockwise, and above the horizon. The place is that of the face of fracture, or of the leg's whole end where the result does not say how much of it is missing.</source>
+      <translation>支腿的指向：自坐标北起顺时针的角度和高于水平面的角度。位置为断裂面的位置；结果未给出缺失长度时，为完整支腿端部的位置。</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs by section along the axis</source>
+      <translation>沿轴线各区段的支腿</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Chainage (m)</source>
+      <translation>里程(米)</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Units with a broken leg</source>
+      <translation>有断腿的块体</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Legs seen whole</source>
+      <translation>可见完整的支腿</translation>
+    </message>
+    <message>
+      <location filename="../core/report/templates/section_castings.html" />
+      <source>Ends not seen</source>
+      <translation>不可见的端部</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_castings.html" />
@@ -4068,11 +4180,6 @@
       <location filename="../core/report/templates/section_damage.html" />
       <source>Share of displaced units per section</source>
       <translation>各区段位移块体的比例</translation>
-    </message>
-    <message>
-      <location filename="../core/report/templates/section_damage.html" />
-      <source>Chainage (m)</source>
-      <translation>里程(米)</translation>
     </message>
     <message>
       <location filename="../core/report/templates/section_damage.html" />

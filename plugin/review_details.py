@@ -10,11 +10,13 @@ from qgis.PyQt.QtGui import QPalette
 
 from ..algorithms.support.lengths import LengthFormat, decimal, length_format
 from ..algorithms.support.translation import tr
-from ..core.results.geopackage_reader import Row
+from ..core.model.outline import PlacedShape
+from ..core.results.geopackage_reader import EpochPair, Row
+from ..core.results.unit_legs import Leg, way_of_leg
 from ..core.results.unit_rows import CheckComparison, UnitDetails, UnitRow, check_comparisons
 from ..core.review.corrections import read_edits, read_picks
 from .review_store import ReviewStore
-from .review_text import action_label, datum_label, decision_colour, decision_label, edit_label, kind_label
+from .review_text import action_label, datum_label, decision_colour, decision_label, edit_label, kind_label, leg_label
 
 LEAST_P = 0.0001
 """Smallest p-value written as a number."""
@@ -35,7 +37,9 @@ def numbers_html(store: ReviewStore, unit: str) -> str:
             "<table cellspacing='0' cellpadding='3'>",
             *_displacement_lines(row),
             *_quality_lines(fit, str(fit.get("epoch") or "")),
+            *(_line(name, ", ".join(map(str, legs))) for name, legs in _notable_legs(row) if legs),
             "</table>",
+            *_leg_lines(row, details, pair),
             *_check_lines(check_comparisons(details, pair)),
             *_pick_lines(details, read_picks(store.path, unit)),
         ]
@@ -67,6 +71,8 @@ def counts_html(store: ReviewStore, palette: QPalette) -> str:
         parts.append(tr("%n lost", numbers.lost))
     if numbers.new:
         parts.append(tr("%n new", numbers.new))
+    if numbers.broken:
+        parts.append(tr("%n with a broken leg", numbers.broken))
     if numbers.largest is not None:
         parts.append(tr("largest {length}").format(length=length_format().text(numbers.largest)))
     parts.append(tr("%n decided", numbers.decided + numbers.rejected))
@@ -125,13 +131,44 @@ def _quality_lines(fit: Row, epoch: str) -> list[str]:
         (tr("Legs seen, of four"), "legs_visible", str),
     )
     lines = [_line(name, text(fit[key])) for name, key, text in measures if fit.get(key) is not None]
-    broken = [k for k in range(1, 5) if fit.get(f"leg{k}") == "broken"]
-    if broken:
-        missing = length_format().text(fit.get("leg_missing"))
-        words = tr("{legs}; {missing} missing, probability {share:.0%}")
-        share = fit.get("leg_probability") or 0.0
-        lines.append(_line(tr("Broken legs"), words.format(legs=", ".join(map(str, broken)), missing=missing, share=share)))
     return lines
+
+
+def _notable_legs(row: UnitRow) -> tuple[tuple[str, tuple[int, ...]], ...]:
+    return (tr("Broken legs"), row.broken_legs), (tr("Ends not seen, of legs"), row.unseen_legs)
+
+
+def _leg_lines(row: UnitRow, details: UnitDetails, pair: EpochPair) -> list[str]:
+    """Table of the legs, the broken ones bold."""
+    if not row.legs:
+        return []
+    shape = details.shapes.get(pair.epoch_to) or details.shapes.get(pair.epoch_from)
+    lengths = length_format()
+    head = (tr("Leg"), tr("Its end"), tr("Missing ({unit})").format(unit=lengths.suffix), tr("Probability of a break"), tr("Points to"))
+    lines = [
+        f"<h4>{html.escape(tr('Legs'))}</h4>",
+        "<table cellspacing='0' cellpadding='3'><tr>",
+        *(f"<th align='left'>{html.escape(text)}</th>" for text in head),
+    ]
+    for leg in row.legs:
+        missing = "–" if leg.missing is None else lengths.number(leg.missing)
+        cells = (str(leg.number), leg_label(leg.state), missing, _share(leg.probability), "–" if shape is None else _way(leg, shape))
+        texts = (f"<b>{html.escape(cell)}</b>" if leg.is_broken else html.escape(cell) for cell in cells)
+        lines.append("</tr><tr>" + "".join(f"<td>{text}</td>" for text in texts))
+    return [*lines, "</tr></table>", f"<p>{html.escape(tr('Points to: degrees from grid north, and above the horizon'))}</p>"]
+
+
+def _share(probability: float | None) -> str:
+    """A probability in percent, which is never certain."""
+    if probability is None:
+        return "–"
+    percent = round(100 * probability)
+    return "< 1 %" if percent < 1 else "> 99 %" if percent > 99 else f"{percent} %"
+
+
+def _way(leg: Leg, shape: PlacedShape) -> str:
+    azimuth, rise = way_of_leg(leg, shape)
+    return f"{azimuth}°, {rise:+d}°"
 
 
 def _check_lines(checks: list[CheckComparison]) -> list[str]:

@@ -38,7 +38,19 @@ from ..core.review.point_index import PointIndex, computed_at, index_of
 Topic = Literal["rows", "order", "selection", "reviews"]
 TakenIn = Literal["", "decisions", "corrections", "run"]
 
-COLUMNS = ("unit_id", "kind", "d_3d", "decision", "d_horizontal", "vertical", "rotation_deg", "p_value", "coverage", "reviewer")
+COLUMNS = (
+    "unit_id",
+    "kind",
+    "d_3d",
+    "decision",
+    "d_horizontal",
+    "vertical",
+    "rotation_deg",
+    "p_value",
+    "coverage",
+    "broken_legs",
+    "reviewer",
+)
 """Columns of the table, by the name of what they show; what a narrow dock must show comes first."""
 DETAILS_KEPT = 64
 
@@ -52,7 +64,7 @@ class ReviewFilter:
     kinds
         Classes to show; empty for all.
     threshold
-        Least 3D displacement in metres; lost, new and relocated units are shown whatever the threshold.
+        Least 3D displacement in metres; lost, new and relocated units and those with a broken leg are shown whatever the threshold.
     area
         Rings ((n, 2) easting, northing in the survey CRS) of a polygon, even-odd; empty for everywhere.
     undecided
@@ -68,9 +80,9 @@ class ReviewFilter:
     text: str = ""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Statistics:
-    """Counts over the units of the pair, rejected ones left out of all but ``rejected``.
+    """Counts over the units of the pair, rejected ones left out of all but ``rejected``; ``broken`` are those with a broken leg.
 
     ``median`` and ``largest`` are 3D displacements in metres, None where no unit has one.
     """
@@ -79,6 +91,7 @@ class Statistics:
     significant: int
     lost: int
     new: int
+    broken: int
     decided: int
     rejected: int
     median: float | None
@@ -201,6 +214,8 @@ class ReviewStore:
         if column == "reviewer":
             review = self.review(row.unit_id)
             return (f"{review.reviewer} ✓ {review.confirmed_by}" if review.confirmed_by else review.reviewer) if review else None
+        if column == "broken_legs":
+            return row.broken_legs or None
         return getattr(row, column)
 
     # selection
@@ -391,14 +406,15 @@ class ReviewStore:
         rows = [row for row in self.rows if row.unit_id not in rejected]
         lengths = [row.d_3d for row in rows if row.d_3d is not None]
         return Statistics(
-            len(rows),
-            sum(row.significant for row in rows),
-            sum(row.kind == "lost" for row in rows),
-            sum(row.kind == "new" for row in rows),
-            sum(self.review(row.unit_id) is not None for row in rows),
-            len(rejected & self._position.keys()),
-            float(np.median(lengths)) if lengths else None,
-            max(lengths) if lengths else None,
+            units=len(rows),
+            significant=sum(row.significant for row in rows),
+            lost=sum(row.kind == "lost" for row in rows),
+            new=sum(row.kind == "new" for row in rows),
+            broken=sum(bool(row.broken_legs) for row in rows),
+            decided=sum(self.review(row.unit_id) is not None for row in rows),
+            rejected=len(rejected & self._position.keys()),
+            median=float(np.median(lengths)) if lengths else None,
+            largest=max(lengths) if lengths else None,
         )
 
     def _chosen(self, unit_ids: Sequence[str] | None) -> list[str]:
@@ -437,7 +453,8 @@ class ReviewStore:
         wanted = self.filter
         if wanted.kinds and row.kind not in wanted.kinds:
             return False
-        if wanted.threshold > 0 and row.kind not in ("lost", "new", "relocated") and (row.d_3d is None or row.d_3d < wanted.threshold):
+        always = row.kind in ("lost", "new", "relocated") or row.broken_legs
+        if wanted.threshold > 0 and not always and (row.d_3d is None or row.d_3d < wanted.threshold):
             return False
         if wanted.undecided and self.review(row.unit_id) is not None:
             return False

@@ -102,6 +102,8 @@ class ReviewModel(QAbstractTableModel):
             return f"{decimal(value, 2)}°"
         if column == "p_value":
             return decimal(value, 3) if value >= 0.001 else f"<{decimal(0.001, 3)}"
+        if column == "broken_legs":
+            return ", ".join(map(str, value))
         if column == "coverage":
             return f"{100 * value:.0f} %"
         return str(value)

@@ -28,6 +28,11 @@ def kind_label(kind: str) -> str:
     return labels.get(kind, kind)
 
 
+def leg_label(state: str) -> str:
+    """What is known of the end of a leg."""
+    return {"whole": tr("whole"), "broken": tr("broken"), "unseen": tr("not seen")}.get(state, state)
+
+
 def decision_label(decision: str) -> str:
     """Name of a decision."""
     return {"accepted": tr("accepted"), "rejected": tr("rejected"), "inspect": tr("inspect")}.get(decision, decision)
@@ -73,6 +78,7 @@ def column_label(column: str) -> str:
         "rotation_deg": tr("Rot."),
         "p_value": tr("p"),
         "coverage": tr("Seen"),
+        "broken_legs": tr("Broken"),
         "decision": tr("Decision"),
         "reviewer": tr("Reviewer"),
     }[column]
@@ -95,6 +101,7 @@ def column_help(column: str) -> str:
         "rotation_deg": tr("Rotation between the epochs (degrees)"),
         "p_value": tr("Probability of so large a displacement if the unit stood still; bold where significant"),
         "coverage": tr("Share of the unit's surface that holds points, in the worse epoch"),
+        "broken_legs": tr("Numbers of the legs that are broken; the page Numbers says how sure that is, and which ends are not seen"),
         "decision": tr("Decision of the reviewers"),
         "reviewer": tr("Who decided, and ✓ who confirmed"),
     }[column]

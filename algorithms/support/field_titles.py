@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...core.results.schema import Field
+from ...core.results.unit_legs import LEG_NUMBERS
 from .translation import tr
 
 UNIT_SIGNS = {"m2": "m²", "degrees": "°", "m/a": "m/a", "m": "m"}
@@ -20,7 +21,16 @@ def field_alias(field: Field, *, with_unit: bool = True) -> str:
 
 
 def _titles() -> dict[str, str]:
-    return _identity() | _lengths() | _qualities()
+    return _identity() | _lengths() | _qualities() | _legs()
+
+
+def _legs() -> dict[str, str]:
+    titles = {}
+    for number in LEG_NUMBERS:
+        titles[f"leg{number}"] = tr("Leg {number}").format(number=number)
+        titles[f"leg{number}_missing"] = tr("Leg {number}: missing").format(number=number)
+        titles[f"leg{number}_probability"] = tr("Leg {number}: probability of a break").format(number=number)
+    return titles
 
 
 def _identity() -> dict[str, str]:
@@ -132,10 +142,6 @@ def _qualities() -> dict[str, str]:
         "used": tr("Used"),
         "density": tr("Points/m²"),
         "legs_visible": tr("Legs seen"),
-        "leg1": tr("Leg 1"),
-        "leg2": tr("Leg 2"),
-        "leg3": tr("Leg 3"),
-        "leg4": tr("Leg 4"),
         "leg_probability": tr("Probability of a broken leg"),
         "coverage": tr("Share seen"),
         "score": tr("Probability"),

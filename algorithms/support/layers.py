@@ -209,6 +209,7 @@ def legend_label(label: str) -> str:
         "alert or more": tr("alert or more"),
         "relocated unit": tr("relocated unit"),
         "uncertain unit": tr("uncertain unit"),
+        "missing end of a broken leg": tr("missing end of a broken leg"),
         "observed": tr("observed"),
         "derived from the rest of the unit": tr("derived from the rest of the unit"),
         "used": tr("used"),

@@ -15,12 +15,15 @@ from ..common.errors import InputError
 from ..common.output_files import check_own
 from ..results.field_checks import foreign_contents
 from ..results.geopackage_reader import EpochPair, crs_of
+from ..results.unit_legs import LEG_NUMBERS
 from ..results.unit_rows import UnitRow, over, read_unit_rows
 from ..review.decisions import read_reviews, rejected_units
 from .result_choice import choose_pair
 
 HIGHEST_THRESHOLD = 10.0
 """Metres, as of the grades in survey.toml: a threshold above it was meant in millimetres."""
+LEG_COLUMNS = tuple(f"leg{k}{what}" for k in LEG_NUMBERS for what in ("", "_missing", "_probability"))
+"""As in the layer ``units``, of the later epoch."""
 COLUMNS = (
     "unit_id",
     "class",
@@ -41,6 +44,7 @@ COLUMNS = (
     "decision",
     "reviewer",
     "comment",
+    *LEG_COLUMNS,
 )
 
 
@@ -119,7 +123,16 @@ def _record(row: UnitRow, pair: EpochPair, datum: str, words: tuple[str, str, st
     legs = " ".join(str(k) for k in row.broken_legs)
     missing = None if row.leg_missing is None else round(float(row.leg_missing), 3)
     values = (row.unit_id, row.kind, pair.epoch_from, pair.epoch_to, datum, *place, *rounded, row.p_value, legs, missing, *words)
-    return dict(zip(COLUMNS, values, strict=True))
+    return dict.fromkeys(COLUMNS) | dict(zip(COLUMNS, values, strict=False)) | _leg_values(row)
+
+
+def _leg_values(row: UnitRow) -> dict[str, Any]:
+    """Of each leg its state, missing length in metres and probability of being broken; nothing where the result does not say."""
+    values: dict[str, Any] = {}
+    for leg in row.legs:
+        missing, share = (None if value is None else round(float(value), 3) for value in (leg.missing, leg.probability))
+        values |= {f"leg{leg.number}": leg.state, f"leg{leg.number}_missing": missing, f"leg{leg.number}_probability": share}
+    return values
 
 
 def _csv(records: Sequence[dict[str, Any]], separator: str) -> str:

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..common.arrays import BoolArray, FloatArray
+from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.axis import Axis
 from ..common.centreline import ARM_HEIGHTS, centreline
 from ..common.errors import InputError
@@ -81,6 +81,8 @@ class Damage:
         Units with a broken leg.
     sections
         By chainage; empty sections are left out.
+    axis, section
+        Axis of the structure, and length of a section along it, metres.
     """
 
     units: int
@@ -92,6 +94,8 @@ class Damage:
     n_lost: int
     n_broken: int
     sections: tuple[SectionDamage, ...]
+    axis: Axis = field(compare=False)
+    section: float
 
     def displaced(self, limit: float) -> DamageClass:
         """Units displaced by at least ``limit`` metres, one of the limits of its classes."""
@@ -174,6 +178,8 @@ def damage(
         n_lost=sum(row.kind == "lost" for row in judged),
         n_broken=int(broken.sum()),
         sections=_sections(along, moved, broken, [limit for _, limit in limits], length, diameter),
+        axis=line,
+        section=length,
     )
 
 
@@ -184,10 +190,15 @@ def centreline_of(rows: Sequence[UnitRow]) -> Axis:
     return centreline(places, ARM_HEIGHTS * (float(np.median(heights)) if heights else 1.0))
 
 
+def section_numbers(along: FloatArray, length: float) -> IntArray:
+    """(n,) numbers of the sections, of one length, that chainages (n,) lie in; metres."""
+    return np.floor(along / length + 1e-9).astype(np.int64)
+
+
 def _sections(
     along: FloatArray, moved: FloatArray, broken: BoolArray, limits: Sequence[float], length: float, diameter: float
 ) -> tuple[SectionDamage, ...]:
-    number = np.floor(along / length + 1e-9).astype(np.int64)
+    number = section_numbers(along, length)
     found = []
     for k in np.unique(number):
         here = moved[number == k]

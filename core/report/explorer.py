@@ -120,6 +120,7 @@ def _numbers(row: UnitRow, decimals: int) -> dict[str, Any]:
         "turn": None if row.rotation_deg is None else round(row.rotation_deg, 2),
         "p": None if row.p_value is None else float(f"{row.p_value:.2g}"),
         "significant": row.significant,
+        "broken": list(row.broken_legs),
     }
 
 

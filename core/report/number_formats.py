@@ -25,6 +25,13 @@ def _percent(value: float | None) -> str:
     return "–" if value is None else f"{100 * value:.1f} %"
 
 
+def _probability(value: float | None) -> str:
+    """In percent, and never certain."""
+    if value is None:
+        return "–"
+    return "> 99.9 %" if value > 0.999 else "< 0.1 %" if value < 0.001 else _percent(value)
+
+
 def _degrees(value: float | None) -> str:
     return "–" if value is None else f"{value:.2f}°"
 
@@ -50,6 +57,7 @@ def number_formats(height: float) -> dict[str, Callable[[Any], str]]:
         "cm": _length(100, 1 + further),
         "signed_cm": _length(100, 2 + further, "+"),
         "percent": _percent,
+        "probability": _probability,
         "mm": _length(1000, 1 + further),
         "degrees": _degrees,
         "p": _p,

@@ -255,7 +255,7 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
             drawn["sections"] = figures.section_chart([s.start for s in harm.sections], shares, first.stop - first.start, translate)
     frames = frames_page(result, pair, control, max((size.height or 0.0 for size in sizes), default=0.0) or 1.0)
     drawn |= {} if frames is None else figures.frame_charts(frames.bends, frames.stretches, translate)
-    castings = castings_page(epochs, rows, rejected)
+    castings = castings_page(epochs, rows, rejected, early | late, harm)
     drawn |= mould_charts(castings.moulds, translate)
     key = (pair.epoch_from, pair.epoch_to)
     kept = [row for row in rows if row.unit_id not in rejected]

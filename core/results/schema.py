@@ -156,12 +156,11 @@ LAYERS: dict[str, Layer] = {
                 Field("sigma0", "real", "standard deviation of unit weight of the adjustment"),
                 Field("n_points", "integer", "points used by the adjustment"),
                 Field("legs_visible", "integer", "legs that hold enough points to be seen"),
-                *(
-                    Field(f"leg{k}", "text", f"leg {k}: whole, broken (points lie inside the nominal solid short of its end) or unseen")
-                    for k in range(1, 5)
-                ),
+                *(Field(f"leg{k}", "text", f"leg {k}: whole, broken (its end is gone) or unseen (as its end is)") for k in range(1, 5)),
                 Field("leg_missing", "real", "length missing of the most broken leg; empty where none is broken", "m"),
                 Field("leg_probability", "real", "probability that the leg most likely broken is, 0 to 1; empty where no end is seen"),
+                *(Field(f"leg{k}_missing", "real", f"length missing of leg {k}; empty where it is not broken", "m") for k in range(1, 5)),
+                *(Field(f"leg{k}_probability", "real", f"probability that leg {k} is broken; empty where unseen") for k in range(1, 5)),
                 Field("coverage", "real", "share of the unit's surface that holds points, 0 to 1"),
                 Field(
                     "score",

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -19,11 +19,8 @@ from ..model.outline import PlacedShape
 from .geopackage_reader import EpochPair, Row, epoch_pairs, parse_settings, parse_time, query, read_layer_rows, table_names
 from .result_access import reading
 from .schema import DATUMS
+from .unit_legs import UNSEEN, Leg, legs_of_pair, most_broken
 from .unit_sizes import UnitSize, shape_of, sizes_of_settings
-
-if TYPE_CHECKING:
-    pass
-
 
 Z_95 = 1.959963985
 """Half width of a two-sided 95 % band in standard deviations."""
@@ -65,7 +62,7 @@ class UnitRow:
     d_over_dn
         Length of the displacement over the nominal diameter Dn of the unit's own volume.
     legs
-        State of the four legs, ``whole``, ``broken`` or ``unseen``; () where the result does not say.
+        The four legs as they are in the later epoch; () where the result does not say.
     leg_missing, leg_probability
         Length that the most broken leg lacks, metres, and probability that it is broken; None where none is.
     """
@@ -85,7 +82,7 @@ class UnitRow:
     significant: bool = False
     detectable: float | None = None
     d_over_dn: float | None = None
-    legs: tuple[str, ...] = ()
+    legs: tuple[Leg, ...] = ()
     leg_missing: float | None = None
     leg_probability: float | None = None
 
@@ -97,7 +94,12 @@ class UnitRow:
     @property
     def broken_legs(self) -> tuple[int, ...]:
         """Numbers 1 to 4 of the legs that are broken."""
-        return tuple(k + 1 for k, state in enumerate(self.legs) if state == "broken")
+        return tuple(leg.number for leg in self.legs if leg.is_broken)
+
+    @property
+    def unseen_legs(self) -> tuple[int, ...]:
+        """Numbers 1 to 4 of the legs whose ends are not seen, of which nothing is said."""
+        return tuple(leg.number for leg in self.legs if leg.state == UNSEEN)
 
     @property
     def nominal_diameter(self) -> float | None:
@@ -387,15 +389,15 @@ def _unit_row(unit: str, moved: Row | None, early: Row | None, late: Row | None)
 
 
 def _legs(early: Row | None, late: Row | None) -> dict[str, Any]:
-    """What the later epoch says of the legs, and the earlier one of those that it does not see: a leg does not heal."""
-    rows = [row for row in (late, early) if row is not None and row.get("leg1")]
-    if not rows:
-        return {}
-    states = tuple(next((row[name] for row in rows if row[name] != "unseen"), "unseen") for name in (f"leg{k}" for k in range(1, 5)))
-    source = next((row for row in rows if row["leg_missing"] is not None), None) if "broken" in states else None
-    if source is None:
-        return {"legs": states}
-    return {"legs": states, "leg_missing": source["leg_missing"], "leg_probability": source["leg_probability"]}
+    legs = legs_of_pair(early, late)
+    worst = most_broken(legs)
+    if worst is None:
+        return {"legs": legs}
+    if worst.missing is not None or worst.probability is not None:
+        return {"legs": legs, "leg_missing": worst.missing, "leg_probability": worst.probability}
+    # of several broken legs an earlier version states one length and one probability
+    source = next((row for row in (late, early) if row is not None and row.get("leg_missing") is not None), {})
+    return {"legs": legs, "leg_missing": source.get("leg_missing"), "leg_probability": source.get("leg_probability")}
 
 
 def _vector(row: Row) -> FloatArray:

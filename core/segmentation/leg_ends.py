@@ -9,7 +9,7 @@ of its end (:mod:`.seen_through`); or where its sides stop short of the end all 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeVar
@@ -94,24 +94,39 @@ class LegEnds:
         return LegEnds(self.states[order], self.missing[order], self.broken[order], self.evidence[order])
 
     def as_row(self) -> dict[str, object]:
-        """Fields of the layer ``units``."""
-        row: dict[str, object] = {f"leg{k + 1}": LEG_STATES[int(state)] for k, state in enumerate(self.states)}
-        seen = self.states != UNSEEN
-        gone = self.missing[self.states == BROKEN]
+        """Fields of the layer ``units``: state, missing length and probability of each leg, and those of the unit's worst."""
+        row: dict[str, object] = {}
+        for k, state in enumerate(self.states.tolist()):
+            told = state != UNSEEN and math.isfinite(self.broken[k])
+            row[f"leg{k + 1}"] = LEG_STATES[int(state)]
+            row[f"leg{k + 1}_missing"] = float(self.missing[k]) if state == BROKEN else None
+            row[f"leg{k + 1}_probability"] = float(self.broken[k]) if told else None
+        gone, shares = self.missing[self.states == BROKEN], self.broken[(self.states != UNSEEN) & np.isfinite(self.broken)]
         row["leg_missing"] = float(gone.max()) if len(gone) else None
-        row["leg_probability"] = float(self.broken[seen].max()) if seen.any() else None
+        row["leg_probability"] = float(shares.max()) if len(shares) else None
         return row
 
     @classmethod
     def from_row(cls, row: Mapping[str, Any]) -> LegEnds:
-        """Inverse of :meth:`as_row`, length and probability going to the broken legs; unseen where a row says nothing."""
+        """Inverse of :meth:`as_row`; unseen where a row says nothing.
+
+        A row of an earlier version states one length and one probability: those of its broken legs, or where none is broken of all seen.
+        """
         states = np.array([LEG_STATES.index(row[f"leg{k + 1}"]) if row.get(f"leg{k + 1}") in LEG_STATES else UNSEEN for k in range(4)])
         broken = states == BROKEN
-        missing, probability = row.get("leg_missing"), row.get("leg_probability")
-        told = np.where(states == UNSEEN, math.nan, probability if probability is not None else math.nan)
+        told, gone = (_numbers(row.get(f"leg{k + 1}_{what}") for k in range(4)) for what in ("probability", "missing"))
+        if np.isnan(told).all():
+            told, gone = (_numbers([row.get(name)] * 4) for name in ("leg_probability", "leg_missing"))
+            told = np.where(broken | ~broken.any(), told, math.nan)
+        told = np.where(states == UNSEEN, math.nan, told)
         sure = np.clip(told, 1e-9, 1 - 1e-9)
         evidence = np.where(np.isnan(told), 0.0, np.log(sure / (1 - sure)) - PRIOR_ODDS)
-        return cls(states, np.where(broken, missing if missing is not None else 0.0, 0.0), told, evidence)
+        return cls(states, np.where(broken, np.nan_to_num(gone), 0.0), told, evidence)
+
+
+def _numbers(values: Iterable[Any]) -> FloatArray:
+    """Values of a row as numbers, nan for none."""
+    return np.array([math.nan if value is None else float(value) for value in values])
 
 
 def leg_ends(

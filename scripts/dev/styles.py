@@ -114,15 +114,44 @@ def tip(*fields: str) -> str:
     return " / ".join(f"[% {number} %]" for number in numbers) + f" [% {LENGTH_UNIT} %]"
 
 
-def leg_lines() -> str:
-    """Expression: the four legs as lines in plan, from the quaternion."""
-    lines = []
+def leg_ways() -> list[tuple[str, str]]:
+    """Expressions: east and north of the way along each leg, from the quaternion."""
+    ways = []
     for x, y, z in LEGS:
         east = f'(1-2*("qy"^2+"qz"^2))*{x}+2*("qx"*"qy"-"qw"*"qz")*{y}+2*("qx"*"qz"+"qw"*"qy")*{z}'
         north = f'2*("qx"*"qy"+"qw"*"qz")*{x}+(1-2*("qx"^2+"qz"^2))*{y}+2*("qy"*"qz"-"qw"*"qx")*{z}'
-        reach = f'{LEG_LENGTH}*"height"'
-        lines.append(f"make_line(make_point($x,$y),make_point($x+{reach}*({east}),$y+{reach}*({north})))")
+        ways.append((east, north))
+    return ways
+
+
+def leg_lines() -> str:
+    """Expression: the four legs as lines in plan."""
+    reach = f'{LEG_LENGTH}*"height"'
+    lines = [f"make_line(make_point($x,$y),make_point($x+{reach}*({east}),$y+{reach}*({north})))" for east, north in leg_ways()]
     return f"collect_geometries({','.join(lines)})"
+
+
+def missing_ends() -> str:
+    """Expression: of broken legs the part that is missing, as lines in plan."""
+    lines = []
+    for number, (east, north) in enumerate(leg_ways(), 1):
+        whole = f'{LEG_LENGTH}*"height"'
+        left = f'({whole}-"leg{number}_missing")'
+        ends = ",".join(f"make_point($x+{reach}*({east}),$y+{reach}*({north}))" for reach in (left, whole))
+        lines.append(f"if(\"leg{number}\" = 'broken', make_line({ends}), NULL)")
+    return f"collect_geometries(array_filter(array({','.join(lines)}), @element is not null))"
+
+
+def leg_tips() -> str:
+    """Expression: what is broken and which ends are not seen, a line each; legs by name, which results of earlier versions may not have."""
+    lines = []
+    for number in (1, 2, 3, 4):
+        state, missing, share = (f"attribute('leg{number}{what}')" for what in ("", "_missing", "_probability"))
+        gone = f"coalesce(', ' || {length(missing)} || ' ' || {LENGTH_UNIT} || ' missing', '')"
+        sure = f"coalesce(' (' || round(100*{share}) || ' %)', '')"
+        lines.append(f"if({state} = 'broken', 'leg {number} broken' || {gone} || {sure}, NULL)")
+        lines.append(f"if({state} = 'unseen', 'end of leg {number} not seen', NULL)")
+    return f"array_to_string(array_filter(array({','.join(lines)}), @element is not null), '<br>')"
 
 
 def vector(east: str, north: str, length: str, x: str, y: str) -> str:
@@ -205,6 +234,15 @@ def unit_symbol(colour: str) -> QgsMarkerSymbol:
     )
     symbol = symbol_of(QgsMarkerSymbol(), *shades, centre.symbolLayer(0).clone())
     return symbol
+
+
+def missing_end_symbol() -> QgsMarkerSymbol:
+    """What is missing of broken legs, on the drawn legs."""
+    shades = [
+        generated(missing_ends(), symbol_of(QgsLineSymbol(), QgsSimpleLineSymbolLayer(QColor(tone), width)))
+        for tone, width in (("#ffffff", 1.2), (RED, 0.8))
+    ]
+    return symbol_of(QgsMarkerSymbol(), *shades)
 
 
 def vector_symbol(colour: str, width: float, east: str, north: str, length: str, *, on_line: bool, with_ellipse: bool) -> QgsSymbol:
@@ -367,12 +405,14 @@ def style_units(layer: QgsVectorLayer) -> None:
             *(
                 (status, f"\"status\" = '{status}' and {LATEST}", unit_symbol(colour))
                 for status, colour in (("found", NAVY), ("uncertain", GREY), ("new", GREEN), ("relocated", PURPLE))
-            )
+            ),
+            ("missing end of a broken leg", f'\'broken\' in ("leg1", "leg2", "leg3", "leg4") and {LATEST}', missing_end_symbol()),
         )
     )
     layer.setRenderer3D(sphere(NAVY, 0.15))
     layer.setMapTipTemplate(
         f'<b>[% "unit_id" %]</b> [% "epoch" %]<br>[% "status" %], score [% round("score", 2) %]<br>sd {tip("sd_e", "sd_n", "sd_h")}'
+        f"<br>[% {leg_tips()} %]"
     )
     lasting(layer)
 

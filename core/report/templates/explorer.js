@@ -174,7 +174,8 @@
   const fine = decimals(H / 100);
   const told = (u) =>
     `${u.id} · ${className.get(u.kind) || u.kind}\n` +
-    (u.d === null ? "" : `${number(u.d, data.decimals)} ± ${number(u.sd, data.decimals)} cm\n${words.east} ${number(u.e, data.decimals, true)}  ${words.north} ${number(u.n, data.decimals, true)}  ${words.up} ${number(u.h, data.decimals, true)} cm\n${words.turn} ${number(u.turn, 2)}°, p ${probability(u.p)}`);
+    (u.d === null ? "" : `${number(u.d, data.decimals)} ± ${number(u.sd, data.decimals)} cm\n${words.east} ${number(u.e, data.decimals, true)}  ${words.north} ${number(u.n, data.decimals, true)}  ${words.up} ${number(u.h, data.decimals, true)} cm\n${words.turn} ${number(u.turn, 2)}°, p ${probability(u.p)}`) +
+    (u.broken.length ? `\n${words.broken}: ${u.broken.join(", ")}` : "");
   drawing.addEventListener("pointermove", (event) => {
     const [x, y] = at(event), [w, h] = size();
     const east = data.origin[0] + view.x + (x - w / 2) / view.metre, north = data.origin[1] - view.y - (y - h / 2) / view.metre;

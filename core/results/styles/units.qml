@@ -28,11 +28,11 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{3c16ea47-7cfb-43e8-8a59-6fa9f83486eb}">
+        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{8179b7df-6198-458a-9ab3-c2fd89216fe1}">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="cap_style" value="square"/>
-            <Option type="QString" name="color" value="145,82,45,255,rgb:0.56862745098039214,0.32156862745098042,0.17647058823529413,1"/>
+            <Option type="QString" name="color" value="232,113,141,255,rgb:0.90980392156862744,0.44313725490196076,0.55294117647058827,1"/>
             <Option type="QString" name="horizontal_anchor_point" value="1"/>
             <Option type="QString" name="joinstyle" value="bevel"/>
             <Option type="QString" name="name" value="circle"/>
@@ -84,7 +84,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{169b5e90-93d6-42a5-9a2f-473f61a773ac}">
+        <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{15b83309-faf0-4929-b834-01c85c6e203e}">
           <Option type="Map">
             <Option type="QString" name="align_dash_pattern" value="0"/>
             <Option type="QString" name="capstyle" value="square"/>
@@ -133,7 +133,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer pass="0" locked="0" enabled="1" class="SimpleFill" id="{6f0100a8-d862-41b4-916c-3ace7b47f0f4}">
+        <layer pass="0" locked="0" enabled="1" class="SimpleFill" id="{6db6ef9a-1545-4100-96c9-8dff2d1e0684}">
           <Option type="Map">
             <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
             <Option type="QString" name="color" value="159,184,182,255,rgb:0.62352941176470589,0.72156862745098038,0.71372549019607845,1"/>
@@ -166,7 +166,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{8c9f3a64-fa37-4f33-b260-59b111e3f5ae}">
+        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{37d8a88c-8a48-418f-9eb7-6a716f868042}">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="cap_style" value="square"/>
@@ -200,11 +200,12 @@
     </profileMarkerSymbol>
   </elevation>
   <renderer-v2 symbollevels="0" type="RuleRenderer" forceraster="0" enableorderby="0" referencescale="-1">
-    <rules key="{3e5b1b48-759d-48e4-ae46-15fcec6e0cec}">
-      <rule filter="&quot;status&quot; = 'found' and (@map_start_time is not null or &quot;epoch_until&quot; is null)" symbol="0" key="{142de654-aec6-4df8-8b12-a3d94e60c47e}" label="found"/>
-      <rule filter="&quot;status&quot; = 'uncertain' and (@map_start_time is not null or &quot;epoch_until&quot; is null)" symbol="1" key="{bbe5a2f4-2d92-4798-92ed-46cc1e82b138}" label="uncertain"/>
-      <rule filter="&quot;status&quot; = 'new' and (@map_start_time is not null or &quot;epoch_until&quot; is null)" symbol="2" key="{3c7bea61-e193-4e03-a5ec-2847108ff69c}" label="new"/>
-      <rule filter="&quot;status&quot; = 'relocated' and (@map_start_time is not null or &quot;epoch_until&quot; is null)" symbol="3" key="{af4b521e-7bb6-4d8b-b5d3-b11656578131}" label="relocated"/>
+    <rules key="{95a92b33-f701-4b62-8956-1be6643fcfe5}">
+      <rule filter="&quot;status&quot; = 'found' and (@map_start_time is not null or &quot;epoch_until&quot; is null)" symbol="0" key="{cc30a8e9-9328-4be9-82e1-507b5e123972}" label="found"/>
+      <rule filter="&quot;status&quot; = 'uncertain' and (@map_start_time is not null or &quot;epoch_until&quot; is null)" symbol="1" key="{38907ed6-af3f-4c4a-8363-4c792e5370c5}" label="uncertain"/>
+      <rule filter="&quot;status&quot; = 'new' and (@map_start_time is not null or &quot;epoch_until&quot; is null)" symbol="2" key="{76bb0b15-f11f-4008-b846-598904957bfb}" label="new"/>
+      <rule filter="&quot;status&quot; = 'relocated' and (@map_start_time is not null or &quot;epoch_until&quot; is null)" symbol="3" key="{a29c5fee-3838-4e29-9bd2-2278fe70c429}" label="relocated"/>
+      <rule filter="'broken' in (&quot;leg1&quot;, &quot;leg2&quot;, &quot;leg3&quot;, &quot;leg4&quot;) and (@map_start_time is not null or &quot;epoch_until&quot; is null)" symbol="4" key="{9bd64424-2738-4f97-ab0f-f30a7f87d53f}" label="missing end of a broken leg"/>
     </rules>
     <symbols>
       <symbol clip_to_extent="1" type="marker" name="0" is_animated="0" alpha="1" frame_rate="10" force_rhr="0">
@@ -215,7 +216,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{c3a24f73-4866-402b-8097-5a013a4b224b}">
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{bb2c1431-47ef-4cbd-b7bd-682626c0f8df}">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Line"/>
             <Option type="QString" name="geometryModifier" value="collect_geometries(make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))))"/>
@@ -236,7 +237,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{bc4bdecb-2a07-424e-ace2-8acf40ba52ec}">
+            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{5af9a2cb-ffaf-45b1-8b45-adfd575c591e}">
               <Option type="Map">
                 <Option type="QString" name="align_dash_pattern" value="0"/>
                 <Option type="QString" name="capstyle" value="round"/>
@@ -276,7 +277,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{8ec201a9-c9a0-4492-9abe-08db41673543}">
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{2b3ba601-d490-43bd-9c53-a233cb807386}">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Line"/>
             <Option type="QString" name="geometryModifier" value="collect_geometries(make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))))"/>
@@ -297,7 +298,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{8249bf3e-24a0-473b-8f26-8403bf8e6510}">
+            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{86087047-1ca6-493b-879b-f9dfae29424c}">
               <Option type="Map">
                 <Option type="QString" name="align_dash_pattern" value="0"/>
                 <Option type="QString" name="capstyle" value="round"/>
@@ -337,7 +338,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{ddee660e-9467-4f3e-a14c-51fbdbbbe49c}">
+        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{bdce0b2a-e00f-4f6c-ba39-d51324096736}">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="cap_style" value="square"/>
@@ -376,7 +377,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{0bd29d2c-49ab-4646-8b0b-528c65bbad2c}">
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{e28e89a5-ef9b-4baf-954e-98b3a0f4ec14}">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Line"/>
             <Option type="QString" name="geometryModifier" value="collect_geometries(make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))))"/>
@@ -397,7 +398,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{104a848d-1e61-4ed5-8257-1bf763e2b757}">
+            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{767f0402-c7d9-48ba-ac01-56819c4af72b}">
               <Option type="Map">
                 <Option type="QString" name="align_dash_pattern" value="0"/>
                 <Option type="QString" name="capstyle" value="round"/>
@@ -437,7 +438,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{9310b82f-6f94-43a0-b89c-a31c01d33f21}">
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{7d27c0c4-8bc5-470a-9a33-cd3d57e37c0e}">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Line"/>
             <Option type="QString" name="geometryModifier" value="collect_geometries(make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))))"/>
@@ -458,7 +459,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{a22c0d2e-be88-4585-8f33-c8c0a594bb20}">
+            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{6f248763-52d8-4392-81cc-e95f7a92973b}">
               <Option type="Map">
                 <Option type="QString" name="align_dash_pattern" value="0"/>
                 <Option type="QString" name="capstyle" value="round"/>
@@ -498,7 +499,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{6dadfa39-135b-45b4-88f0-5fcf661a3dbd}">
+        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{c6d115c2-ebb2-4aec-b335-3bcdb560eee0}">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="cap_style" value="square"/>
@@ -537,7 +538,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{dea33767-c17b-4d1c-bfe8-9bb6bb854633}">
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{3a9f123f-df4b-4844-a1ad-54ea314e94b8}">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Line"/>
             <Option type="QString" name="geometryModifier" value="collect_geometries(make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))))"/>
@@ -558,7 +559,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{3205f42d-4033-458b-8876-1d191492b971}">
+            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{f55403e8-991d-4ae1-81c3-71cd8dcdbe30}">
               <Option type="Map">
                 <Option type="QString" name="align_dash_pattern" value="0"/>
                 <Option type="QString" name="capstyle" value="round"/>
@@ -598,7 +599,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{2c03b45b-d5de-4a9a-934f-c350331fc869}">
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{1736d6a7-366f-462f-a2bf-36530661958e}">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Line"/>
             <Option type="QString" name="geometryModifier" value="collect_geometries(make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))))"/>
@@ -619,7 +620,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{429d337e-bc16-489b-af12-520d475924d8}">
+            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{042e5a18-168a-42fd-ba54-4cc6a4b07d47}">
               <Option type="Map">
                 <Option type="QString" name="align_dash_pattern" value="0"/>
                 <Option type="QString" name="capstyle" value="round"/>
@@ -659,7 +660,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{59909b94-5c00-4249-8715-4bc3a7412fac}">
+        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{14fafc5b-842d-4e5c-9f9b-be6d7c68a718}">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="cap_style" value="square"/>
@@ -698,7 +699,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{47d8dcd1-2216-4a2f-8d33-c85998176e92}">
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{44e2e81e-53c0-439d-8582-06f7f28a2496}">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Line"/>
             <Option type="QString" name="geometryModifier" value="collect_geometries(make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))))"/>
@@ -719,7 +720,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{ad7c06ee-1928-4b7d-b2df-a8ee8a9ad388}">
+            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{48bae81a-b7f1-4b47-8b4e-9312f677d582}">
               <Option type="Map">
                 <Option type="QString" name="align_dash_pattern" value="0"/>
                 <Option type="QString" name="capstyle" value="round"/>
@@ -759,7 +760,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{b1175f48-c472-420b-9d4a-3d5cb51daf7f}">
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{335f013c-e0fa-4c76-afcb-4d00b1b3cb35}">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Line"/>
             <Option type="QString" name="geometryModifier" value="collect_geometries(make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))),make_line(make_point($x,$y),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))))"/>
@@ -780,7 +781,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{5c6171bf-2edd-4262-a8f7-3c0edfa758eb}">
+            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{5221fe81-d18a-4320-9ea7-65fc5d63e586}">
               <Option type="Map">
                 <Option type="QString" name="align_dash_pattern" value="0"/>
                 <Option type="QString" name="capstyle" value="round"/>
@@ -820,7 +821,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{9da31111-bb58-4ff2-b387-48de78cd893b}">
+        <layer pass="0" locked="0" enabled="1" class="SimpleMarker" id="{f5cf09e7-602d-47cc-9cda-aa3819524cd0}">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="cap_style" value="square"/>
@@ -849,6 +850,137 @@
               <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
+        </layer>
+      </symbol>
+      <symbol clip_to_extent="1" type="marker" name="4" is_animated="0" alpha="1" frame_rate="10" force_rhr="0">
+        <data_defined_properties>
+          <Option type="Map">
+            <Option type="QString" name="name" value=""/>
+            <Option name="properties"/>
+            <Option type="QString" name="type" value="collection"/>
+          </Option>
+        </data_defined_properties>
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{5a345903-0dc5-4d0a-9cc2-5b504b41c16b}">
+          <Option type="Map">
+            <Option type="QString" name="SymbolType" value="Line"/>
+            <Option type="QString" name="geometryModifier" value="collect_geometries(array_filter(array(if(&quot;leg1&quot; = 'broken', make_line(make_point($x+(0.644*&quot;height&quot;-&quot;leg1_missing&quot;)*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+(0.644*&quot;height&quot;-&quot;leg1_missing&quot;)*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0)),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0))), NULL),if(&quot;leg2&quot; = 'broken', make_line(make_point($x+(0.644*&quot;height&quot;-&quot;leg2_missing&quot;)*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+(0.644*&quot;height&quot;-&quot;leg2_missing&quot;)*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333)),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))), NULL),if(&quot;leg3&quot; = 'broken', make_line(make_point($x+(0.644*&quot;height&quot;-&quot;leg3_missing&quot;)*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+(0.644*&quot;height&quot;-&quot;leg3_missing&quot;)*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333)),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))), NULL),if(&quot;leg4&quot; = 'broken', make_line(make_point($x+(0.644*&quot;height&quot;-&quot;leg4_missing&quot;)*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+(0.644*&quot;height&quot;-&quot;leg4_missing&quot;)*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333)),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))), NULL)), @element is not null))"/>
+            <Option type="QString" name="units" value="MapUnit"/>
+          </Option>
+          <data_defined_properties>
+            <Option type="Map">
+              <Option type="QString" name="name" value=""/>
+              <Option name="properties"/>
+              <Option type="QString" name="type" value="collection"/>
+            </Option>
+          </data_defined_properties>
+          <symbol clip_to_extent="1" type="line" name="@4@0" is_animated="0" alpha="1" frame_rate="10" force_rhr="0">
+            <data_defined_properties>
+              <Option type="Map">
+                <Option type="QString" name="name" value=""/>
+                <Option name="properties"/>
+                <Option type="QString" name="type" value="collection"/>
+              </Option>
+            </data_defined_properties>
+            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{31a307b7-b7dd-40d0-a6cd-dbe1df9e8d67}">
+              <Option type="Map">
+                <Option type="QString" name="align_dash_pattern" value="0"/>
+                <Option type="QString" name="capstyle" value="square"/>
+                <Option type="QString" name="customdash" value="5;2"/>
+                <Option type="QString" name="customdash_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="customdash_unit" value="MM"/>
+                <Option type="QString" name="dash_pattern_offset" value="0"/>
+                <Option type="QString" name="dash_pattern_offset_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="dash_pattern_offset_unit" value="MM"/>
+                <Option type="QString" name="draw_inside_polygon" value="0"/>
+                <Option type="QString" name="joinstyle" value="bevel"/>
+                <Option type="QString" name="line_color" value="255,255,255,255,rgb:1,1,1,1"/>
+                <Option type="QString" name="line_style" value="solid"/>
+                <Option type="QString" name="line_width" value="1.2"/>
+                <Option type="QString" name="line_width_unit" value="MM"/>
+                <Option type="QString" name="offset" value="0"/>
+                <Option type="QString" name="offset_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="offset_unit" value="MM"/>
+                <Option type="QString" name="ring_filter" value="0"/>
+                <Option type="QString" name="trim_distance_end" value="0"/>
+                <Option type="QString" name="trim_distance_end_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="trim_distance_end_unit" value="MM"/>
+                <Option type="QString" name="trim_distance_start" value="0"/>
+                <Option type="QString" name="trim_distance_start_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="trim_distance_start_unit" value="MM"/>
+                <Option type="QString" name="tweak_dash_pattern_on_corners" value="0"/>
+                <Option type="QString" name="use_custom_dash" value="0"/>
+                <Option type="QString" name="width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option type="QString" name="name" value=""/>
+                  <Option name="properties"/>
+                  <Option type="QString" name="type" value="collection"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+          </symbol>
+        </layer>
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator" id="{3d085eae-1400-4580-85f6-bb1be5fea320}">
+          <Option type="Map">
+            <Option type="QString" name="SymbolType" value="Line"/>
+            <Option type="QString" name="geometryModifier" value="collect_geometries(array_filter(array(if(&quot;leg1&quot; = 'broken', make_line(make_point($x+(0.644*&quot;height&quot;-&quot;leg1_missing&quot;)*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+(0.644*&quot;height&quot;-&quot;leg1_missing&quot;)*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0)),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*1.0),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.0+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*1.0))), NULL),if(&quot;leg2&quot; = 'broken', make_line(make_point($x+(0.644*&quot;height&quot;-&quot;leg2_missing&quot;)*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+(0.644*&quot;height&quot;-&quot;leg2_missing&quot;)*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333)),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*0.942809+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.0+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*0.942809+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.0+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))), NULL),if(&quot;leg3&quot; = 'broken', make_line(make_point($x+(0.644*&quot;height&quot;-&quot;leg3_missing&quot;)*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+(0.644*&quot;height&quot;-&quot;leg3_missing&quot;)*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333)),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))), NULL),if(&quot;leg4&quot; = 'broken', make_line(make_point($x+(0.644*&quot;height&quot;-&quot;leg4_missing&quot;)*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+(0.644*&quot;height&quot;-&quot;leg4_missing&quot;)*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333)),make_point($x+0.644*&quot;height&quot;*((1-2*(&quot;qy&quot;^2+&quot;qz&quot;^2))*-0.471405+2*(&quot;qx&quot;*&quot;qy&quot;-&quot;qw&quot;*&quot;qz&quot;)*-0.816497+2*(&quot;qx&quot;*&quot;qz&quot;+&quot;qw&quot;*&quot;qy&quot;)*-0.333333),$y+0.644*&quot;height&quot;*(2*(&quot;qx&quot;*&quot;qy&quot;+&quot;qw&quot;*&quot;qz&quot;)*-0.471405+(1-2*(&quot;qx&quot;^2+&quot;qz&quot;^2))*-0.816497+2*(&quot;qy&quot;*&quot;qz&quot;-&quot;qw&quot;*&quot;qx&quot;)*-0.333333))), NULL)), @element is not null))"/>
+            <Option type="QString" name="units" value="MapUnit"/>
+          </Option>
+          <data_defined_properties>
+            <Option type="Map">
+              <Option type="QString" name="name" value=""/>
+              <Option name="properties"/>
+              <Option type="QString" name="type" value="collection"/>
+            </Option>
+          </data_defined_properties>
+          <symbol clip_to_extent="1" type="line" name="@4@1" is_animated="0" alpha="1" frame_rate="10" force_rhr="0">
+            <data_defined_properties>
+              <Option type="Map">
+                <Option type="QString" name="name" value=""/>
+                <Option name="properties"/>
+                <Option type="QString" name="type" value="collection"/>
+              </Option>
+            </data_defined_properties>
+            <layer pass="0" locked="0" enabled="1" class="SimpleLine" id="{230004d8-c67f-40ac-ade4-278c4e9ac27f}">
+              <Option type="Map">
+                <Option type="QString" name="align_dash_pattern" value="0"/>
+                <Option type="QString" name="capstyle" value="square"/>
+                <Option type="QString" name="customdash" value="5;2"/>
+                <Option type="QString" name="customdash_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="customdash_unit" value="MM"/>
+                <Option type="QString" name="dash_pattern_offset" value="0"/>
+                <Option type="QString" name="dash_pattern_offset_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="dash_pattern_offset_unit" value="MM"/>
+                <Option type="QString" name="draw_inside_polygon" value="0"/>
+                <Option type="QString" name="joinstyle" value="bevel"/>
+                <Option type="QString" name="line_color" value="198,40,40,255,rgb:0.77647058823529413,0.15686274509803921,0.15686274509803921,1"/>
+                <Option type="QString" name="line_style" value="solid"/>
+                <Option type="QString" name="line_width" value="0.8"/>
+                <Option type="QString" name="line_width_unit" value="MM"/>
+                <Option type="QString" name="offset" value="0"/>
+                <Option type="QString" name="offset_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="offset_unit" value="MM"/>
+                <Option type="QString" name="ring_filter" value="0"/>
+                <Option type="QString" name="trim_distance_end" value="0"/>
+                <Option type="QString" name="trim_distance_end_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="trim_distance_end_unit" value="MM"/>
+                <Option type="QString" name="trim_distance_start" value="0"/>
+                <Option type="QString" name="trim_distance_start_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="trim_distance_start_unit" value="MM"/>
+                <Option type="QString" name="tweak_dash_pattern_on_corners" value="0"/>
+                <Option type="QString" name="use_custom_dash" value="0"/>
+                <Option type="QString" name="width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option type="QString" name="name" value=""/>
+                  <Option name="properties"/>
+                  <Option type="QString" name="type" value="collection"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+          </symbol>
         </layer>
       </symbol>
     </symbols>
@@ -1081,6 +1213,94 @@
         </config>
       </editWidget>
     </field>
+    <field configurationFlags="NoFlag" name="leg1_missing">
+      <editWidget type="Range">
+        <config>
+          <Option type="Map">
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="int" name="Precision" value="3"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
+          </Option>
+        </config>
+      </editWidget>
+    </field>
+    <field configurationFlags="NoFlag" name="leg2_missing">
+      <editWidget type="Range">
+        <config>
+          <Option type="Map">
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="int" name="Precision" value="3"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
+          </Option>
+        </config>
+      </editWidget>
+    </field>
+    <field configurationFlags="NoFlag" name="leg3_missing">
+      <editWidget type="Range">
+        <config>
+          <Option type="Map">
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="int" name="Precision" value="3"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
+          </Option>
+        </config>
+      </editWidget>
+    </field>
+    <field configurationFlags="NoFlag" name="leg4_missing">
+      <editWidget type="Range">
+        <config>
+          <Option type="Map">
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="int" name="Precision" value="3"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
+          </Option>
+        </config>
+      </editWidget>
+    </field>
+    <field configurationFlags="NoFlag" name="leg1_probability">
+      <editWidget type="Range">
+        <config>
+          <Option type="Map">
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="int" name="Precision" value="3"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
+          </Option>
+        </config>
+      </editWidget>
+    </field>
+    <field configurationFlags="NoFlag" name="leg2_probability">
+      <editWidget type="Range">
+        <config>
+          <Option type="Map">
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="int" name="Precision" value="3"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
+          </Option>
+        </config>
+      </editWidget>
+    </field>
+    <field configurationFlags="NoFlag" name="leg3_probability">
+      <editWidget type="Range">
+        <config>
+          <Option type="Map">
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="int" name="Precision" value="3"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
+          </Option>
+        </config>
+      </editWidget>
+    </field>
+    <field configurationFlags="NoFlag" name="leg4_probability">
+      <editWidget type="Range">
+        <config>
+          <Option type="Map">
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="int" name="Precision" value="3"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
+          </Option>
+        </config>
+      </editWidget>
+    </field>
     <field configurationFlags="NoFlag" name="coverage">
       <editWidget type="Range">
         <config>
@@ -1104,6 +1324,13 @@
       </editWidget>
     </field>
     <field configurationFlags="NoFlag" name="status">
+      <editWidget type="">
+        <config>
+          <Option/>
+        </config>
+      </editWidget>
+    </field>
+    <field configurationFlags="NoFlag" name="datum">
       <editWidget type="">
         <config>
           <Option/>
@@ -1189,14 +1416,23 @@
     <alias field="leg4" index="23" name="Leg 4"/>
     <alias field="leg_missing" index="24" name="Missing of a leg [m]"/>
     <alias field="leg_probability" index="25" name="Probability of a broken leg"/>
-    <alias field="coverage" index="26" name="Share seen"/>
-    <alias field="score" index="27" name="Probability"/>
-    <alias field="status" index="28" name="Status"/>
-    <alias field="distance_median" index="29" name="Distance of the points [m]"/>
-    <alias field="supported" index="30" name="Share supported"/>
-    <alias field="nearest_centre" index="31" name="Nearest centre [m]"/>
-    <alias field="overlap_share" index="32" name="Overlap"/>
-    <alias field="may_be" index="33" name="May be"/>
+    <alias field="leg1_missing" index="26" name="Leg 1: missing [m]"/>
+    <alias field="leg2_missing" index="27" name="Leg 2: missing [m]"/>
+    <alias field="leg3_missing" index="28" name="Leg 3: missing [m]"/>
+    <alias field="leg4_missing" index="29" name="Leg 4: missing [m]"/>
+    <alias field="leg1_probability" index="30" name="Leg 1: probability of a break"/>
+    <alias field="leg2_probability" index="31" name="Leg 2: probability of a break"/>
+    <alias field="leg3_probability" index="32" name="Leg 3: probability of a break"/>
+    <alias field="leg4_probability" index="33" name="Leg 4: probability of a break"/>
+    <alias field="coverage" index="34" name="Share seen"/>
+    <alias field="score" index="35" name="Probability"/>
+    <alias field="status" index="36" name="Status"/>
+    <alias field="datum" index="37" name="Datum"/>
+    <alias field="distance_median" index="38" name="Distance of the points [m]"/>
+    <alias field="supported" index="39" name="Share supported"/>
+    <alias field="nearest_centre" index="40" name="Nearest centre [m]"/>
+    <alias field="overlap_share" index="41" name="Overlap"/>
+    <alias field="may_be" index="42" name="May be"/>
   </aliases>
   <splitPolicies>
     <policy field="unit_id" policy="Duplicate"/>
@@ -1225,9 +1461,18 @@
     <policy field="leg4" policy="Duplicate"/>
     <policy field="leg_missing" policy="Duplicate"/>
     <policy field="leg_probability" policy="Duplicate"/>
+    <policy field="leg1_missing" policy="Duplicate"/>
+    <policy field="leg2_missing" policy="Duplicate"/>
+    <policy field="leg3_missing" policy="Duplicate"/>
+    <policy field="leg4_missing" policy="Duplicate"/>
+    <policy field="leg1_probability" policy="Duplicate"/>
+    <policy field="leg2_probability" policy="Duplicate"/>
+    <policy field="leg3_probability" policy="Duplicate"/>
+    <policy field="leg4_probability" policy="Duplicate"/>
     <policy field="coverage" policy="Duplicate"/>
     <policy field="score" policy="Duplicate"/>
     <policy field="status" policy="Duplicate"/>
+    <policy field="datum" policy="Duplicate"/>
     <policy field="distance_median" policy="Duplicate"/>
     <policy field="supported" policy="Duplicate"/>
     <policy field="nearest_centre" policy="Duplicate"/>
@@ -1261,9 +1506,18 @@
     <policy field="leg4" policy="Duplicate"/>
     <policy field="leg_missing" policy="Duplicate"/>
     <policy field="leg_probability" policy="Duplicate"/>
+    <policy field="leg1_missing" policy="Duplicate"/>
+    <policy field="leg2_missing" policy="Duplicate"/>
+    <policy field="leg3_missing" policy="Duplicate"/>
+    <policy field="leg4_missing" policy="Duplicate"/>
+    <policy field="leg1_probability" policy="Duplicate"/>
+    <policy field="leg2_probability" policy="Duplicate"/>
+    <policy field="leg3_probability" policy="Duplicate"/>
+    <policy field="leg4_probability" policy="Duplicate"/>
     <policy field="coverage" policy="Duplicate"/>
     <policy field="score" policy="Duplicate"/>
     <policy field="status" policy="Duplicate"/>
+    <policy field="datum" policy="Duplicate"/>
     <policy field="distance_median" policy="Duplicate"/>
     <policy field="supported" policy="Duplicate"/>
     <policy field="nearest_centre" policy="Duplicate"/>
@@ -1297,9 +1551,18 @@
     <default field="leg4" expression="" applyOnUpdate="0"/>
     <default field="leg_missing" expression="" applyOnUpdate="0"/>
     <default field="leg_probability" expression="" applyOnUpdate="0"/>
+    <default field="leg1_missing" expression="" applyOnUpdate="0"/>
+    <default field="leg2_missing" expression="" applyOnUpdate="0"/>
+    <default field="leg3_missing" expression="" applyOnUpdate="0"/>
+    <default field="leg4_missing" expression="" applyOnUpdate="0"/>
+    <default field="leg1_probability" expression="" applyOnUpdate="0"/>
+    <default field="leg2_probability" expression="" applyOnUpdate="0"/>
+    <default field="leg3_probability" expression="" applyOnUpdate="0"/>
+    <default field="leg4_probability" expression="" applyOnUpdate="0"/>
     <default field="coverage" expression="" applyOnUpdate="0"/>
     <default field="score" expression="" applyOnUpdate="0"/>
     <default field="status" expression="" applyOnUpdate="0"/>
+    <default field="datum" expression="" applyOnUpdate="0"/>
     <default field="distance_median" expression="" applyOnUpdate="0"/>
     <default field="supported" expression="" applyOnUpdate="0"/>
     <default field="nearest_centre" expression="" applyOnUpdate="0"/>
@@ -1333,9 +1596,18 @@
     <constraint constraints="0" field="leg4" notnull_strength="0" unique_strength="0" exp_strength="0"/>
     <constraint constraints="0" field="leg_missing" notnull_strength="0" unique_strength="0" exp_strength="0"/>
     <constraint constraints="0" field="leg_probability" notnull_strength="0" unique_strength="0" exp_strength="0"/>
+    <constraint constraints="0" field="leg1_missing" notnull_strength="0" unique_strength="0" exp_strength="0"/>
+    <constraint constraints="0" field="leg2_missing" notnull_strength="0" unique_strength="0" exp_strength="0"/>
+    <constraint constraints="0" field="leg3_missing" notnull_strength="0" unique_strength="0" exp_strength="0"/>
+    <constraint constraints="0" field="leg4_missing" notnull_strength="0" unique_strength="0" exp_strength="0"/>
+    <constraint constraints="0" field="leg1_probability" notnull_strength="0" unique_strength="0" exp_strength="0"/>
+    <constraint constraints="0" field="leg2_probability" notnull_strength="0" unique_strength="0" exp_strength="0"/>
+    <constraint constraints="0" field="leg3_probability" notnull_strength="0" unique_strength="0" exp_strength="0"/>
+    <constraint constraints="0" field="leg4_probability" notnull_strength="0" unique_strength="0" exp_strength="0"/>
     <constraint constraints="0" field="coverage" notnull_strength="0" unique_strength="0" exp_strength="0"/>
     <constraint constraints="0" field="score" notnull_strength="0" unique_strength="0" exp_strength="0"/>
     <constraint constraints="0" field="status" notnull_strength="0" unique_strength="0" exp_strength="0"/>
+    <constraint constraints="0" field="datum" notnull_strength="0" unique_strength="0" exp_strength="0"/>
     <constraint constraints="0" field="distance_median" notnull_strength="0" unique_strength="0" exp_strength="0"/>
     <constraint constraints="0" field="supported" notnull_strength="0" unique_strength="0" exp_strength="0"/>
     <constraint constraints="0" field="nearest_centre" notnull_strength="0" unique_strength="0" exp_strength="0"/>
@@ -1369,9 +1641,18 @@
     <constraint field="leg4" exp="" desc=""/>
     <constraint field="leg_missing" exp="" desc=""/>
     <constraint field="leg_probability" exp="" desc=""/>
+    <constraint field="leg1_missing" exp="" desc=""/>
+    <constraint field="leg2_missing" exp="" desc=""/>
+    <constraint field="leg3_missing" exp="" desc=""/>
+    <constraint field="leg4_missing" exp="" desc=""/>
+    <constraint field="leg1_probability" exp="" desc=""/>
+    <constraint field="leg2_probability" exp="" desc=""/>
+    <constraint field="leg3_probability" exp="" desc=""/>
+    <constraint field="leg4_probability" exp="" desc=""/>
     <constraint field="coverage" exp="" desc=""/>
     <constraint field="score" exp="" desc=""/>
     <constraint field="status" exp="" desc=""/>
+    <constraint field="datum" exp="" desc=""/>
     <constraint field="distance_median" exp="" desc=""/>
     <constraint field="supported" exp="" desc=""/>
     <constraint field="nearest_centre" exp="" desc=""/>
@@ -1407,9 +1688,18 @@
       <column hidden="0" type="field" width="-1" name="leg4"/>
       <column hidden="0" type="field" width="-1" name="leg_missing"/>
       <column hidden="0" type="field" width="-1" name="leg_probability"/>
+      <column hidden="0" type="field" width="-1" name="leg1_missing"/>
+      <column hidden="0" type="field" width="-1" name="leg2_missing"/>
+      <column hidden="0" type="field" width="-1" name="leg3_missing"/>
+      <column hidden="0" type="field" width="-1" name="leg4_missing"/>
+      <column hidden="0" type="field" width="-1" name="leg1_probability"/>
+      <column hidden="0" type="field" width="-1" name="leg2_probability"/>
+      <column hidden="0" type="field" width="-1" name="leg3_probability"/>
+      <column hidden="0" type="field" width="-1" name="leg4_probability"/>
       <column hidden="0" type="field" width="-1" name="coverage"/>
       <column hidden="0" type="field" width="-1" name="score"/>
       <column hidden="0" type="field" width="-1" name="status"/>
+      <column hidden="0" type="field" width="-1" name="datum"/>
       <column hidden="0" type="field" width="-1" name="distance_median"/>
       <column hidden="0" type="field" width="-1" name="supported"/>
       <column hidden="0" type="field" width="-1" name="nearest_centre"/>
@@ -1435,6 +1725,6 @@
   <reuseLastValue/>
   <dataDefinedFieldProperties/>
   <widgets/>
-  <mapTip enabled="1">&lt;b>[% "unit_id" %]&lt;/b> [% "epoch" %]&lt;br>[% "status" %], score [% round("score", 2) %]&lt;br>sd [% format_number(coalesce(@tetratrack_factor, 1)*("sd_e"), coalesce(@tetratrack_decimals, 3)) %] / [% format_number(coalesce(@tetratrack_factor, 1)*("sd_n"), coalesce(@tetratrack_decimals, 3)) %] / [% format_number(coalesce(@tetratrack_factor, 1)*("sd_h"), coalesce(@tetratrack_decimals, 3)) %] [% coalesce(@tetratrack_unit, 'm') %]</mapTip>
+  <mapTip enabled="1">&lt;b>[% "unit_id" %]&lt;/b> [% "epoch" %]&lt;br>[% "status" %], score [% round("score", 2) %]&lt;br>sd [% format_number(coalesce(@tetratrack_factor, 1)*("sd_e"), coalesce(@tetratrack_decimals, 3)) %] / [% format_number(coalesce(@tetratrack_factor, 1)*("sd_n"), coalesce(@tetratrack_decimals, 3)) %] / [% format_number(coalesce(@tetratrack_factor, 1)*("sd_h"), coalesce(@tetratrack_decimals, 3)) %] [% coalesce(@tetratrack_unit, 'm') %]&lt;br>[% array_to_string(array_filter(array(if(attribute('leg1') = 'broken', 'leg 1 broken' || coalesce(', ' || format_number(coalesce(@tetratrack_factor, 1)*(attribute('leg1_missing')), coalesce(@tetratrack_decimals, 3)) || ' ' || coalesce(@tetratrack_unit, 'm') || ' missing', '') || coalesce(' (' || round(100*attribute('leg1_probability')) || ' %)', ''), NULL),if(attribute('leg1') = 'unseen', 'end of leg 1 not seen', NULL),if(attribute('leg2') = 'broken', 'leg 2 broken' || coalesce(', ' || format_number(coalesce(@tetratrack_factor, 1)*(attribute('leg2_missing')), coalesce(@tetratrack_decimals, 3)) || ' ' || coalesce(@tetratrack_unit, 'm') || ' missing', '') || coalesce(' (' || round(100*attribute('leg2_probability')) || ' %)', ''), NULL),if(attribute('leg2') = 'unseen', 'end of leg 2 not seen', NULL),if(attribute('leg3') = 'broken', 'leg 3 broken' || coalesce(', ' || format_number(coalesce(@tetratrack_factor, 1)*(attribute('leg3_missing')), coalesce(@tetratrack_decimals, 3)) || ' ' || coalesce(@tetratrack_unit, 'm') || ' missing', '') || coalesce(' (' || round(100*attribute('leg3_probability')) || ' %)', ''), NULL),if(attribute('leg3') = 'unseen', 'end of leg 3 not seen', NULL),if(attribute('leg4') = 'broken', 'leg 4 broken' || coalesce(', ' || format_number(coalesce(@tetratrack_factor, 1)*(attribute('leg4_missing')), coalesce(@tetratrack_decimals, 3)) || ' ' || coalesce(@tetratrack_unit, 'm') || ' missing', '') || coalesce(' (' || round(100*attribute('leg4_probability')) || ' %)', ''), NULL),if(attribute('leg4') = 'unseen', 'end of leg 4 not seen', NULL)), @element is not null), '&lt;br>') %]</mapTip>
   <layerGeometryType>0</layerGeometryType>
 </qgis>

@@ -10,6 +10,7 @@ from curved_structures import line_of, units_along
 from tetratrack.core.common.errors import InputError
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.report.damage import centreline_of, damage
+from tetratrack.core.results.unit_legs import Leg
 from tetratrack.core.results.unit_rows import UnitRow, over
 
 H = 2.0
@@ -66,7 +67,8 @@ def test_n_od_is_displaced_units_per_nominal_diameter_of_width() -> None:
 
 def test_uncertain_units_do_not_count() -> None:
     """However far they seem to have moved, whatever legs they seem to lack."""
-    loose = replace(unit("X", 4.0, 0.0, 2.5, "uncertain"), legs=("broken", "whole", "whole", "unseen"))
+    legs = tuple(Leg(number=k + 1, state=state) for k, state in enumerate(("broken", "whole", "whole", "unseen")))
+    loose = replace(unit("X", 4.0, 0.0, 2.5, "uncertain"), legs=legs)
     assert damage([*row_of_units(), loose]) == damage(row_of_units())
     listed = [row.unit_id for row in over([*row_of_units(), loose], 0.1)]
     assert listed == [row.unit_id for row in over(row_of_units(), 0.1)]

@@ -6,7 +6,19 @@ import numpy as np
 import pytest
 from tetratrack.core.model.tetrapod import sample_surface
 from tetratrack.core.model.unit_types import UnitType
-from tetratrack.core.segmentation.leg_ends import BROKEN, END, FACE, OBLIQUITY, UNSEEN, WHOLE, LegView, left_by_breaks, leg_ends
+from tetratrack.core.segmentation.leg_ends import (
+    BROKEN,
+    END,
+    FACE,
+    OBLIQUITY,
+    PRIOR_ODDS,
+    UNSEEN,
+    WHOLE,
+    LegEnds,
+    LegView,
+    left_by_breaks,
+    leg_ends,
+)
 from tetratrack.core.segmentation.seen_through import Passing
 from tetratrack.core.segmentation.sight_lines import SECTORS, leg_places
 
@@ -107,3 +119,29 @@ def test_beams_tell_of_an_oblique_break_whose_longer_side_reaches_the_end() -> N
     for evidence, state in ((0.0, WHOLE), (4.0, WHOLE), (9.0, BROKEN)):
         ends = leg_ends(view, beams=lambda leg, first, told=evidence: Passing(told if leg == 2 else 0.0, 0.8 * UNIT.leg_length))
         assert ends.states.tolist() == [WHOLE, WHOLE, state, WHOLE]
+
+
+def test_rows_state_each_leg_and_are_read_again() -> None:
+    """Two broken legs of which one lacks more, one whole, one unseen."""
+    states, broken = np.array([BROKEN, WHOLE, UNSEEN, BROKEN]), np.array([0.97, 0.02, np.nan, 0.6])
+    evidence = np.where(np.isnan(broken), 0.0, np.log(broken / (1 - broken)) - PRIOR_ODDS)
+    row = LegEnds(states, np.array([0.2, 0.0, 0.0, 0.5]), broken, evidence).as_row()
+    assert [(row[f"leg{k}"], row[f"leg{k}_missing"], row[f"leg{k}_probability"]) for k in range(1, 5)] == [
+        ("broken", 0.2, 0.97),
+        ("whole", None, 0.02),
+        ("unseen", None, None),
+        ("broken", 0.5, 0.6),
+    ]
+    assert (row["leg_missing"], row["leg_probability"]) == (0.5, 0.97)
+    again = LegEnds.from_row(row)
+    assert again.as_row() == row
+    assert again.evidence == pytest.approx(evidence)
+
+
+def test_of_rows_of_earlier_versions_whole_legs_are_not_as_likely_broken_as_the_broken_one() -> None:
+    row = {"leg1": "whole", "leg2": "broken", "leg3": "unseen", "leg4": "whole", "leg_missing": 0.3, "leg_probability": 0.9}
+    ends = LegEnds.from_row(row)
+    assert ends.states.tolist() == [WHOLE, BROKEN, UNSEEN, WHOLE]
+    assert ends.broken[1] == pytest.approx(0.9)
+    assert ends.evidence[[0, 2, 3]].tolist() == [0, 0, 0]
+    assert (ends.as_row()["leg2_missing"], ends.as_row()["leg_probability"]) == (0.3, 0.9)

@@ -7,11 +7,13 @@ import json
 import multiprocessing
 import os
 import shutil
+import sqlite3
 import stat
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
@@ -33,8 +35,10 @@ from qgis.gui import QgsMapCanvas, QgsMapToolPan
 from qgis.PyQt.QtCore import QItemSelectionModel, QLocale, QPoint, QPointF, Qt
 from qgis.PyQt.QtGui import QAction, QKeyEvent
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QMainWindow, QMessageBox, QToolButton
-from synthetic_result import SRS, SyntheticUnit, features_of, run_again, write_points, write_result
+from qgis.PyQt.QtWidgets import QApplication, QLabel, QMainWindow, QMessageBox, QToolButton
+from synthetic_result import LEGS, SRS, SyntheticUnit, features_of, run_again, write_points, write_result
+from tetratrack.algorithms.support.layers import STYLES
+from tetratrack.core.model.outline import rotation_of_quaternion
 from tetratrack.core.results.geopackage_reader import EpochPair
 from tetratrack.core.review.corrections import delete_unit, last_edit_of, placeholders, read_edits, read_picks, set_pose
 from tetratrack.core.review.decisions import decide, read_history, read_reviews
@@ -933,3 +937,55 @@ def test_a_result_of_the_first_release_is_reviewed(dock: ReviewDock, tmp_path: P
         dock.grab()
     dock.decide("accepted")
     assert {unit for unit, _ in read_reviews(old)} == {"U0002"}
+
+
+def test_broken_legs_are_counted_sorted_and_told_apart(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
+    """Of one unit two legs, one of which an earlier epoch alone shows, with the end of a third not seen."""
+    stable = [row.unit_id for row in dock.store.rows if row.kind == "stable" and row.d_3d < 0.05]
+    with closing(sqlite3.connect(result[0])) as connection, connection:
+        connection.execute("UPDATE units SET leg1 = 'whole', leg1_probability = 0.001, leg2 = 'whole', leg3 = 'unseen', leg4 = 'whole'")
+        for epoch, state in ((PAIR.epoch_from, "broken"), (PAIR.epoch_to, "unseen")):
+            connection.execute(
+                "UPDATE units SET leg2 = ?, leg2_missing = 0.42, leg2_probability = 0.97, leg4 = 'broken', leg4_missing = 0.811, "
+                "leg4_probability = 0.62 WHERE unit_id = ? AND epoch = ?",
+                (state, stable[3], epoch),
+            )
+    assert reopen(dock, result[0])
+    assert "1 with a broken leg" in dock.findChild(QLabel, "review_counts").text().replace("\u00a0", " ")
+    dock.filters.threshold.setValue(5.0)
+    assert stable[3] in shown(dock)
+    dock.filters.threshold.setValue(0.0)
+    dock.store.sort("broken_legs", True)
+    assert shown(dock)[0] == stable[3]
+    assert [dock.model.index(k, COLUMNS.index("broken_legs")).data() for k in (0, 1)] == ["2, 4", "–"]
+    dock.store.select([stable[3]])
+    dock.tabs.setCurrentIndex(2)
+    lines = dock.tabs.numbers.toPlainText().splitlines()
+    table = lines[lines.index("Legs") + 1 :]
+    assert [table[k : k + 4] for k in range(5, 25, 5)] == [
+        ["1", "whole", "–", "< 1 %"],
+        ["2", "broken", "0.420", "97 %"],
+        ["3", "not seen", "–", "–"],
+        ["4", "broken", "0.811", "62 %"],
+    ]
+    assert lines[lines.index("Ends not seen, of legs") + 1] == "3"
+
+
+def test_the_map_shows_what_is_missing_of_a_leg_and_its_tip_says_it(dock: ReviewDock, result: tuple[Path, list[SyntheticUnit]]) -> None:
+    with closing(sqlite3.connect(result[0])) as connection, connection:
+        connection.execute("UPDATE units SET leg1 = 'whole', leg2 = 'broken', leg2_missing = 0.4, leg2_probability = 0.9, leg3 = 'unseen'")
+    layer = QgsVectorLayer(f"{result[0]}|layername=units", "units")
+    layer.loadNamedStyle(str(STYLES / "units.qml"))
+    feature = next(feature for feature in layer.getFeatures() if feature["qx"] is not None and feature.hasGeometry())
+    context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
+    context.setFeature(feature)
+    tip = QgsExpression.replaceExpressionText(layer.mapTipTemplate(), context)
+    assert "leg 2 broken, 0.400 m missing (90 %)<br>end of leg 3 not seen" in tip
+    context.setFields(layer.fields())
+    (rule,) = [rule for rule in layer.renderer().rootRule().children() if rule.label() == "missing end of a broken leg"]
+    drawn = QgsExpression(rule.symbol().symbolLayer(0).properties()["geometryModifier"])
+    drawn.prepare(context)
+    line = drawn.evaluate(context)
+    assert not drawn.hasEvalError(), drawn.evalErrorString()
+    body = rotation_of_quaternion([feature[name] for name in ("qx", "qy", "qz", "qw")]) @ LEGS[1]
+    assert line.length() == pytest.approx(0.4 * np.hypot(*body[:2]), rel=1e-3)
