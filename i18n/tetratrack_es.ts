@@ -2280,6 +2280,16 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
+      <source>watch: over {length}</source>
+      <translation>vigilar: más de {length}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>alert or more: over {length}</source>
+      <translation>alerta o más: más de {length}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
       <source>arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %</source>
       <translation>flecha de 10 mm: {length}, como máximo 30 mm; elipse: 95 %</translation>
     </message>

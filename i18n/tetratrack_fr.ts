@@ -2280,6 +2280,16 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
+      <source>watch: over {length}</source>
+      <translation>surveiller : plus de {length}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>alert or more: over {length}</source>
+      <translation>alerte ou plus : plus de {length}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
       <source>arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %</source>
       <translation>flèche de 10 mm : {length}, longueur maximale 30 mm ; ellipse : 95 %</translation>
     </message>

@@ -2280,6 +2280,16 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
+      <source>watch: over {length}</source>
+      <translation>注意：{length} 超</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>alert or more: over {length}</source>
+      <translation>警報以上：{length} 超</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
       <source>arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %</source>
       <translation>10 mm の矢印：{length}、最長 30 mm、楕円：95 %</translation>
     </message>

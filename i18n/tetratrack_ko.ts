@@ -2280,6 +2280,16 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
+      <source>watch: over {length}</source>
+      <translation>주의: {length} 초과</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>alert or more: over {length}</source>
+      <translation>경보 이상: {length} 초과</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
       <source>arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %</source>
       <translation>10 mm 화살표: {length}, 최대 30 mm; 타원: 95 %</translation>
     </message>

@@ -2280,6 +2280,16 @@
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
+      <source>watch: over {length}</source>
+      <translation>关注：超过 {length}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
+      <source>alert or more: over {length}</source>
+      <translation>警报及以上：超过 {length}</translation>
+    </message>
+    <message>
+      <location filename="../algorithms/support/layers.py" />
       <source>arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %</source>
       <translation>10 mm 箭头：{length}，最长 30 mm；椭圆：95 %</translation>
     </message>

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from qgis.core import (
     Qgis,
@@ -32,6 +33,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QDateTime, QMetaType, Qt
 from qgis.PyQt.QtGui import QColor
 
+from ...core.common.errors import TetratrackError
 from ...core.results.added_layers import TILE_INDEX, known_layer
 from ...core.results.schema import LAYERS
 from ...core.results.unit_rows import read_epochs
@@ -48,6 +50,8 @@ FIELD_TYPES = {
     "boolean": QMetaType.Type.Bool,
     "datetime": QMetaType.Type.QDateTime,
 }
+GRADED = ("displacements", "displacements_other")
+"""Layers whose features are drawn by the survey's own grades."""
 DRAWING_ORDER = (
     "manual_picks",
     "unit_edits",
@@ -172,17 +176,35 @@ def translate_legend(layer: QgsVectorLayer) -> None:
     renderer = layer.renderer()
     if renderer is None or renderer.type() != "RuleRenderer":
         return
+    limits = limits_of_survey(layer)
     for rule in renderer.rootRule().descendants():
         if rule.label():
             original = layer.customProperty(f"{LEGEND_PROPERTY}/{rule.ruleKey()}") or rule.label()
             # kept, for the language or the unit of lengths may change
             layer.setCustomProperty(f"{LEGEND_PROPERTY}/{rule.ruleKey()}", original)
-            rule.setLabel(legend_label(original))
+            rule.setLabel(legend_label(original, limits))
     layer.legendChanged.emit()
 
 
-def legend_label(label: str) -> str:
-    """Translation of a label of the shipped styles, lengths in the project's unit."""
+def limits_of_survey(layer: QgsVectorLayer) -> dict[str, float]:
+    """Limits of the grades of displacements in metres, by name, that the settings of the layer's own result state; {} for other layers."""
+    uri = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
+    if uri.get("layerName") not in GRADED or not uri.get("path"):
+        return {}
+    try:
+        epochs = read_epochs(Path(uri["path"]))
+    except TetratrackError:
+        return {}
+    stated = epochs[-1].settings.get("displacement") if epochs else None
+    return {name: value for name, value in stated.items() if isinstance(value, int | float)} if isinstance(stated, dict) else {}
+
+
+def legend_label(label: str, limits: Mapping[str, float] = MappingProxyType({})) -> str:
+    """Translation of a label of the shipped styles, lengths and the survey's ``limits`` in the project's unit."""
+    if label == "watch" and "watch" in limits:
+        return tr("watch: over {length}").format(length=length_format().text(limits["watch"]))
+    if label == "alert or more" and "alert" in limits:
+        return tr("alert or more: over {length}").format(length=length_format().text(limits["alert"]))
     # saved projects know the label of their day, which said nothing of the longest
     if label.startswith(ARROW_LABEL):
         return tr("arrow of 10 mm: {length}, at most 30 mm long; ellipse: 95 %").format(length=length_format().text(0.05))
