@@ -104,9 +104,11 @@
     drawing.setAttribute("viewBox", `${left} ${top} ${w / view.metre} ${h / view.metre}`);
     frame.setAttribute("viewBox", `0 0 ${w} ${h}`);
     frame.textContent = "";
-    const step = nice(110 / view.metre);
-    const digits = decimals(step);
     const east = data.origin[0] + left, north = data.origin[1] - top;
+    let step = nice(110 / view.metre);
+    // seven digits with decimals are wider than the lines' usual distance
+    while (step * view.metre < 7 * east.toFixed(decimals(step)).length + 8) step = nice(2.6 * step);
+    const digits = decimals(step);
     for (let e = Math.ceil(east / step) * step; e < east + w / view.metre; e += step) {
       const x = (e - east) * view.metre;
       element("line", { x1: x, x2: x, y1: 0, y2: h, stroke: "#34424e", "stroke-opacity": 0.12 }, frame);

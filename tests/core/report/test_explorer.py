@@ -35,6 +35,17 @@ window.addEventListener("load", () => setTimeout(() => {
   const before = find(".map-units").getAttribute("viewBox");
   find("[data-map=in]").click();
   out.zoomed = Number(find(".map-units").getAttribute("viewBox").split(" ")[2]) / Number(before.split(" ")[2]);
+  // names of the lines along the lower edge, however far one zooms
+  const gaps = [];
+  for (let k = 0; k < 45; k++) {
+    find("#map").dispatchEvent(new WheelEvent("wheel", { deltaY: -40, clientX: 300, clientY: 300, cancelable: true }));
+    const names = [...document.querySelectorAll(".map-frame text[text-anchor]")].filter((t) => /^[0-9.]+$/.test(t.textContent));
+    const boxes = names.map((t) => t.getBoundingClientRect()).sort((one, other) => one.left - other.left);
+    for (let j = 1; j < boxes.length; j++) gaps.push(boxes[j].left - boxes[j - 1].right);
+  }
+  out.gaps = gaps.length;
+  out.narrowest = Math.min(...gaps);
+  find("[data-map=fit]").click();
   const least = find("#filter-least");
   least.value = "10";
   least.dispatchEvent(new Event("input"));
@@ -117,6 +128,8 @@ def test_map_table_and_scene_follow_each_other(result: Path, tmp_path: Path) -> 
     assert f"{100 * moved.d_3d:.1f} ± {100 * moved.sd_3d:.1f} cm" in outcome["tip"]
     assert outcome["row"] == moved.unit_id
     assert outcome["zoomed"] == pytest.approx(1 / 1.5)
+    assert outcome["gaps"] > 10
+    assert outcome["narrowest"] > 2
     far = sum(row.d_3d is not None and row.d_3d >= 0.10 for row in rows)
     assert outcome["count"] == f"{far} of {len(rows)} units"
     assert outcome["dimmed"] == len(rows) - far
