@@ -1,4 +1,4 @@
-"""How a report writes numbers and times: names of the filters in its templates; a dash where there is nothing."""
+"""How a report writes numbers, times and names: names of the filters in its templates; a dash where there is nothing."""
 
 from __future__ import annotations
 
@@ -8,7 +8,11 @@ from datetime import datetime
 from typing import Any
 
 import numpy as np
+from markupsafe import Markup
 from numpy.typing import ArrayLike
+
+LONG_NAME, NAME_PART = 16, 8
+"""Letters beyond which a name may be broken in a table, which it would make wider than the page, and after how many letters each."""
 
 
 def further_decimals(height: float) -> int:
@@ -48,6 +52,14 @@ def _places(values: ArrayLike | None) -> str:
     return "–" if values is None else ", ".join(f"{value:.2f}" for value in np.asarray(values, dtype=np.float64))
 
 
+def _name(value: object) -> str:
+    """A name, with places where it may be broken if it is long; what copies it copies no letter more."""
+    text = str(value)
+    if len(text) <= LONG_NAME:
+        return text
+    return Markup("<wbr>").join(text[k : k + NAME_PART] for k in range(0, len(text), NAME_PART))
+
+
 def number_formats(height: float) -> dict[str, Callable[[Any], str]]:
     """Filters by name, for units of a height H (metres): models of a tank move by tenths of a millimetre."""
     further = further_decimals(height)
@@ -62,5 +74,6 @@ def number_formats(height: float) -> dict[str, Callable[[Any], str]]:
         "degrees": _degrees,
         "p": _p,
         "day": _day,
+        "name": _name,
         "places": _places,
     }
