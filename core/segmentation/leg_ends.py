@@ -38,6 +38,9 @@ DEPTH_IN_NOISE = 3.5
 LEAST_SECTORS = 4
 """Sectors of a leg's section that a face of fracture has to reach."""
 LEAST_POINTS = 8
+NARROW_EVIDENCE, BEYOND_NARROW = 3.0, 1.5
+"""The most that points inside a leg say which reach too few sectors (log-likelihood ratio), and evidence of beams through its end from
+which they are asked: a neighbour or a pose that errs puts points into some sectors, too, but of 186 whole legs beams say 1.0 at most."""
 MOST_DISC = 3
 """Times as many points about an end's plane as count show its disc: fewer may be of what lies beyond a break."""
 SHOWN, STRAY = 0.35, 0.03
@@ -148,7 +151,9 @@ def leg_ends(
             if passing.evidence > LEAST_EVIDENCE:
                 place = view.break_before(k, passing.place)
                 result.missing[k] = unit.leg_length - place
-                through = passing.evidence + (PRIOR_ODDS if math.isnan(odds) else odds)
+                if math.isnan(odds) and passing.evidence > BEYOND_NARROW:
+                    result.evidence[k] += view.narrow_face(k)
+                through = result.evidence[k] + (PRIOR_ODDS if math.isnan(odds) else odds)
                 # what proves nothing by itself may do so with other epochs
                 odds = through if through > 0 or not math.isnan(odds) else odds
         if math.isnan(odds) and sights is not None and view.shaft_sectors(k) >= LEAST_SIGHT_SECTORS:
@@ -199,8 +204,7 @@ class LegView:
             return math.nan, 0.0
         density = float(np.median([d for d in densities if d > 0]))
         section = math.pi * (unit.end_radius - self.depth) ** 2
-        inside = own & (self.outside < -self.depth) & (self.along > FACE[0]) & (self.along < FACE[1])
-        inside &= self.axial < unit.leg_length - self.depth
+        inside = self._inside(leg)
         face = float(inside.sum())
         if face < LEAST_POINTS or len(np.unique(self.sector[inside])) < LEAST_SECTORS:
             face = 0.0
@@ -226,6 +230,16 @@ class LegView:
         """(SECTORS,) log-likelihood ratios of a part of a leg's side being there; 0 in sectors that hide its ``shaft`` (SECTORS,)."""
         expected = shaft * self._area(part) / self._area(SHAFT)
         return np.where(shaft >= LEAST_POINTS, _support(self._by_sector(on_side, part), expected), 0.0)
+
+    def narrow_face(self, leg: int) -> float:
+        """Log-likelihood ratio of a break by points well inside a leg that reach too few of its sectors to be a face by themselves."""
+        count = int(self._inside(leg).sum())
+        return min(INDEPENDENT * count * math.log(SHOWN / STRAY), NARROW_EVIDENCE) if count >= LEAST_POINTS else 0.0
+
+    def _inside(self, leg: int) -> BoolArray:
+        """(n,) points well inside a leg short of its end."""
+        short = (self.along > FACE[0]) & (self.along < FACE[1]) & (self.axial < self.unit.leg_length - self.depth)
+        return np.asarray((self.leg == leg) & (self.outside < -self.depth) & short)
 
     def goes_on(self, leg: int) -> bool:
         """Whether the side of a leg is seen up to its end, in the sectors in which its shaft is."""

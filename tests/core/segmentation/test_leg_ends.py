@@ -145,3 +145,13 @@ def test_of_rows_of_earlier_versions_whole_legs_are_not_as_likely_broken_as_the_
     assert ends.broken[1] == pytest.approx(0.9)
     assert ends.evidence[[0, 2, 3]].tolist() == [0, 0, 0]
     assert (ends.as_row()["leg2_missing"], ends.as_row()["leg_probability"]) == (0.3, 0.9)
+
+
+def test_a_face_in_one_sector_counts_with_beams_beyond_it() -> None:
+    points = unit_with_break(0.75, np.random.default_rng(5))
+    leg, axial, rho, sector = leg_places(points, UNIT)
+    face = (leg == 2) & (UNIT.radius - UNIT.gradient * axial - rho > 0.01)
+    for kept, evidence, state in ((sector == 0, 2.0, BROKEN), (sector == 0, 1.0, UNSEEN), (sector < 0, 2.0, UNSEEN)):
+        view = LegView(points[~face | kept], UNIT, 0.004)
+        ends = leg_ends(view, beams=lambda leg, first, told=evidence: Passing(told if leg == 2 else 0.0, 0.8 * UNIT.leg_length))
+        assert ends.states.tolist() == [WHOLE, WHOLE, state, WHOLE]

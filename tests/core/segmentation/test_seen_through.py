@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 from tetratrack.core.model.tetrapod import relate, sample_surface
 from tetratrack.core.model.unit_types import UnitType
 from tetratrack.core.segmentation.leg_ends import BROKEN, PRIOR_ODDS, UNSEEN, LegView, leg_ends
-from tetratrack.core.segmentation.seen_through import SeenThrough, nearest_first
+from tetratrack.core.segmentation.seen_through import SeenThrough
 
 UNIT = UnitType.tetrapod(2.3)
 SENSORS = (np.array([3.0, -9.0, 14.0]), np.array([-14.0, 6.0, 30.0]))
@@ -83,10 +83,3 @@ def test_sides_that_go_on_need_no_beams() -> None:
     assert LegView(body, UNIT, 0.004).sides_to_end().all()
     assert LegView(short, UNIT, 0.004).sides_to_end().tolist() == [k != LEG for k in range(4)]
     assert leg_ends(LegView(short, UNIT, 0.004)).states[LEG] == UNSEEN
-
-
-def test_points_equally_far_stay_in_their_order():
-    rng = np.random.default_rng(2)
-    points = rng.integers(-3, 4, (4000, 3)).astype(np.float64)
-    order = np.argsort(np.sum(points**2, axis=1), kind="stable")
-    np.testing.assert_array_equal(nearest_first(points), points[order])
