@@ -19,18 +19,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import minimize
-from scipy.special import fdtrc, gammaln
+from scipy.special import fdtrc
 
 from ..common.arrays import BoolArray, FloatArray
 from ..common.robust import CHI2_3_MEDIAN
 from ..registration.frame_field import LocalMotions
 from ..registration.transformation import rigid_jacobian
+from .null_model import NullModel, calibrate, f_p_value
 
 STABLE_LEVEL = 0.01
 """Units with a smaller p-value do not support the datum."""
-NORMAL_TAIL, LEAST_TAIL = 200.0, 3.0
-"""Degrees of freedom beyond which t is normal, and fewest that are believed: with fewer, t has no variance worth stating."""
 FEW_MEMBERS = 12
 """Units of a datum up to which it is solved anew without each of them, and up to which it matters how little they tell of deviations."""
 STATED_DEGREES = 1.0
@@ -41,41 +39,6 @@ LEAST_P_VALUE = 1e-15
 """To which p-values of units are rounded, and 1 less that, where they are combined."""
 FREE_SHIFT, FREE_TURN = 1e3, 1.0
 """Standard deviations, metres and radians, of a common motion of which nothing is known."""
-
-
-@dataclass(frozen=True, eq=False)
-class NullModel:
-    """What displacements of stable units look like: covariance factor ** 2 * C + floor ** 2 * I with t tails of ``tail`` degrees.
-
-    ``moved_share`` is the share of units that the broad component describes, ``count`` the number of units it was estimated from.
-    """
-
-    factor: float
-    floor: float
-    tail: float
-    moved_share: float
-    count: int
-
-    def covariance(self, covariances: FloatArray) -> FloatArray:
-        """(..., 3, 3) effective covariances."""
-        return np.asarray(self.factor**2 * covariances + self.floor**2 * np.eye(3))
-
-    def covariance_of_moved(self, covariances: FloatArray, noise: FloatArray, share: float) -> FloatArray:
-        """(..., 3, 3) effective covariances of a unit that moved (``share`` 1; 0 at rest).
-
-        At rest both epochs show the same parts of a surface, whose deviations cancel further than the adjustment says. A factor below one
-        holds for a unit that moved or turned as far as its covariances are of ``noise`` alone.
-        """
-        return self.covariance(covariances) + share * max(1.0 - self.factor**2, 0.0) * (covariances - noise)
-
-    @property
-    def spread(self) -> float:
-        """Variance of the t distribution over its squared scale: what a stated standard deviation has to hold beyond ``covariance``."""
-        return self.tail / (self.tail - 2)
-
-    def p_value(self, statistics: FloatArray) -> FloatArray:
-        """Of quadratic forms of three components."""
-        return f_p_value(statistics, self.tail)
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,11 +70,6 @@ class PoseCalibration:
         factors = np.maximum(self.factors, 1.0)
         # the floor of a difference belongs half to each of its epochs
         return np.asarray(covariance * np.outer(factors, factors) + np.diag(0.5 * self.floors**2))
-
-
-def f_p_value(statistics: FloatArray, tail: float | FloatArray) -> FloatArray:
-    """p-values of quadratic forms of three components whose variance has ``tail`` degrees of freedom."""
-    return np.asarray(fdtrc(3, tail, np.asarray(statistics) / 3))
 
 
 def combined_test(p_values: FloatArray) -> tuple[float, float]:
@@ -303,64 +261,6 @@ common_p_value=float(fdtrc(6, min(degrees, 1e6) or 1e6, common / 6)) if math.isf
 )  # fmt: skip
 
 
-def calibrate(residuals: FloatArray, covariances: FloatArray, scale: float, spread: FloatArray | None = None) -> NullModel:
-    """Maximum a posteriori factor, floor and tails of the displacements of stable units, among moved ones.
-
-    Parameters
-    ----------
-    residuals, covariances
-        (n, 3), (n, 3, 3) displacements less the common part, and their formal covariance.
-    scale
-        H in metres; moved units are taken from a Cauchy distribution of that order.
-    spread
-        (n, 3, 3) covariance of the common part that was subtracted, not to be scaled; None for zero.
-
-    The priors are weak and only matter for a handful of units: factor 1 within a factor of two, tails of about 15 degrees of
-    freedom, floor of the order of the formal standard deviations.
-    """
-    n = len(residuals)
-    if n == 0:
-        return NullModel(1.0, 0.0, NORMAL_TAIL, 0.0, 0)
-    values, vectors = np.linalg.eigh(covariances)
-    values = np.maximum(values, 1e-18)
-    squares = np.einsum("nij,ni->nj", vectors, residuals) ** 2
-    extra = 0.0 if spread is None else np.einsum("nij,nik,nkj->nj", vectors, spread, vectors)
-    typical = float(np.sqrt(np.median(values)))
-    broad = 0.02 * scale
-    moved_log = _log_t(squares / broad**2, 1.0) - 3 * math.log(broad)
-
-    def target(parameters: FloatArray) -> float:
-        factor, floor, tail, odds = parameters
-        variance = math.exp(2 * factor) * values + (typical * math.exp(floor)) ** 2 + extra
-        nu = max(math.exp(tail), LEAST_TAIL)
-        share = 1 / (1 + math.exp(-odds))
-        null_log = _log_t(squares / variance, nu) - 0.5 * np.sum(np.log(variance), axis=1)
-        total = np.logaddexp(np.log1p(-share) + null_log, math.log(share) + moved_log)
-        priors = (factor / 0.7) ** 2 + ((floor + 0.7) / 1.0) ** 2 + ((tail - math.log(15)) / 0.8) ** 2 + ((odds + 1.7) / 1.0) ** 2
-        return float(-np.sum(total) + 0.5 * priors)
-
-    best = min(
-        (minimize(target, start, method="Nelder-Mead", options={"xatol": 1e-3, "fatol": 1e-4, "maxiter": 800})
-         for start in ([0.35, -0.7, math.log(15), -1.7], [1.2, 0.5, math.log(15), -1.7])),
-        key=lambda found: found.fun,
-    )  # fmt: skip
-    factor, floor, tail, odds = best.x
-    return NullModel(
-        float(math.exp(factor)),
-        float(typical * math.exp(floor)),
-        float(min(max(math.exp(tail), LEAST_TAIL), NORMAL_TAIL)),
-        float(1 / (1 + math.exp(-odds))),
-        n,
-    )
-
-
-def _log_t(squares: FloatArray, nu: float) -> FloatArray:
-    """Log density of a t vector of three components with unit scale; ``squares`` (n, 3) standardised squares."""
-    q = np.sum(squares, axis=1)
-    constant = gammaln((nu + 3) / 2) - gammaln(nu / 2) - 1.5 * math.log(nu * math.pi)
-    return np.asarray(constant - (nu + 3) / 2 * np.log1p(q / nu))
-
-
 def _free_prior() -> FloatArray:
     return np.diag([FREE_SHIFT**2] * 3 + [FREE_TURN**2] * 3 + [1e-24])
 
@@ -424,10 +324,10 @@ def _others(
         spread = a @ cofactor @ np.swapaxes(a, 1, 2)
         # a member's residual has V - A Q A^T, an outsider's V + A Q A^T; the first equals the deletion statistic exactly
         statistics = quadratic(residuals, covariances + np.where(stable[:, None, None], -spread, spread))
-        for k in np.flatnonzero(stable):
-            gain = np.linalg.inv(covariances[k] - spread[k])
-            residuals[k] = covariances[k] @ gain @ residuals[k]
-            spread[k] = spread[k] + spread[k] @ gain @ spread[k]
+        own, shared = covariances[stable], spread[stable]
+        gain = np.linalg.inv(own - shared)
+        residuals[stable] = np.einsum("kij,kj->ki", own @ gain, residuals[stable])
+        spread[stable] = shared + shared @ gain @ shared
         known = np.full(len(displacements), math.inf)
     return _Others(motion=theta, cofactor=cofactor, residuals=residuals, spread=spread, statistics=statistics, degrees=known)
 

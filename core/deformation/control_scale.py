@@ -21,7 +21,8 @@ from scipy.special import chdtri
 from ..common.arrays import FloatArray
 from ..registration.frame_field import FieldEstimate, LocalMotions
 from ..registration.transformation import rigid_jacobian
-from .congruence import Congruence, NullModel, f_p_value, pooled_degrees, quadratic
+from .congruence import Congruence, pooled_degrees, quadratic
+from .null_model import NullModel, f_p_value
 
 LEVEL = 0.05
 """Share of resting units that the test of datum ``control`` is to call significant at this level."""

@@ -23,7 +23,8 @@ from ..model.feature_points import FeaturePoints
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..registration.transformation import rigid_jacobian
-from .congruence import NullModel, f_p_value, pooled_degrees, quadratic
+from .congruence import pooled_degrees, quadratic
+from .null_model import NullModel, f_p_value
 
 SIGNIFICANCE = 0.05
 POWER = 0.8

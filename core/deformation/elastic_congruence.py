@@ -21,8 +21,9 @@ from ..common.arrays import BoolArray, FloatArray
 from ..common.robust import t_weights
 from ..registration.frame_field import FieldEstimate, LocalMotions, information_of
 from ..registration.transformation import rigid_jacobian
-from .congruence import STABLE_LEVEL, Congruence, NullModel, calibrate, combined_test, f_p_value, pooled_degrees, quadratic
+from .congruence import STABLE_LEVEL, Congruence, combined_test, pooled_degrees, quadratic
 from .control_scale import ControlScale, scale_of_control
+from .null_model import NullModel, calibrate, f_p_value
 
 ROUGH_SHARE = 0.002
 """Deviation over H that a unit may have beyond its covariance before the null distribution is known."""

@@ -16,7 +16,7 @@ from ..model.feature_points import feature_points
 from ..model.unit_types import UnitType
 from ..registration.frame_field import LocalMotions
 from .common_motion import common_prior
-from .congruence import Congruence, NullModel, calibrate, congruence_of
+from .congruence import Congruence, congruence_of
 from .control_scale import with_rigid_scale
 from .displacement import (
     FramePart,
@@ -33,6 +33,7 @@ from .elastic_congruence import ElasticDatum, FrameTie, elastic_congruence_of
 from .epoch_frames import EpochFrames, PairShifts
 from .identity import Track
 from .joint_records import JointAdjustment
+from .null_model import NullModel, calibrate
 from .stretches import JudgedUnits, StretchMotion, motions_of_stretches
 from .tracked_epoch import TrackedEpoch, TrackedUnit
 

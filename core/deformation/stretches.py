@@ -25,9 +25,10 @@ from ..common.centreline import ARM_HEIGHTS, centreline
 from ..common.noncentrality import noncentrality
 from ..common.robust import t_weights
 from ..registration.frame_field import FieldEstimate
-from .congruence import Congruence, f_p_value, pooled_degrees, quadratic
+from .congruence import Congruence, pooled_degrees, quadratic
 from .displacement import POWER, SIGNIFICANCE, adjusted_p_values
 from .elastic_congruence import ElasticDatum
+from .null_model import f_p_value
 
 DATUMS = ("stable", "control")
 STRETCH_HEIGHTS = 10.0

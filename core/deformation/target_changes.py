@@ -14,7 +14,8 @@ import numpy as np
 from ..common.arrays import FloatArray
 from ..common.robust import CHI2_3_MEDIAN
 from ..registration.frame_field import LocalMotions
-from .congruence import f_p_value, quadratic
+from .congruence import quadratic
+from .null_model import f_p_value
 
 FEWEST_NEIGHBOURS = 2
 """Targets of a station that must differ alike from the ground for it to have moved."""

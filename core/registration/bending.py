@@ -16,6 +16,7 @@ from itertools import product
 
 import numpy as np
 from scipy.linalg import solve_triangular
+from scipy.linalg.lapack import dormqr, dpttrf, dpttrs, dsytrd
 from scipy.optimize import minimize_scalar
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
@@ -134,6 +135,8 @@ def _likeliest(
     sample: ShiftSample, windows: Sequence[IntArray], axis: tuple[float, float], lengths: FloatArray, ratios: Sequence[float]
 ) -> tuple[FieldModel | None, float]:
     """Likeliest model of all lengths, ratios and smoothnesses, and its gain over a rigid motion."""
+    # a single cell shows no bend
+    windows = [window for window in windows if len(window) > 1]
     chosen = min(MOST_LIKELY_WINDOWS, len(windows))
     windows = [windows[(2 * k + 1) * len(windows) // (2 * chosen)] for k in range(chosen)]
     noises = [_whiteners(sample, window) for window in windows]
@@ -280,18 +283,14 @@ def _likely(
     sds, gain = [], 0.0
     correlations = [model.correlation(scaled, scaled) for scaled in (model.scaled(sample.places[window]) for window in windows)]
     for axis in range(3):
-        # in the eigenvectors of the whitened correlation every standard deviation costs one sum
-        spectra = []
+        # in tridiagonal form every standard deviation costs one sweep, and getting there less than eigenvectors would
+        parts = []
         for correlation, noise in zip(correlations, noises, strict=True):
             inverse, white = noise[axis]
-            values, vectors = np.linalg.eigh(inverse @ correlation @ inverse.T)
-            spectra.append((np.maximum(values, 0.0), (vectors.T @ white) ** 2))
-        value = np.concatenate([v for v, _ in spectra])
-        square = np.concatenate([s for _, s in spectra])
+            parts.append(_tridiagonal(inverse @ correlation @ inverse.T, white))
 
-        def loss(log_sd: float, value: FloatArray = value, square: FloatArray = square) -> float:
-            grown = 1 + math.exp(2 * log_sd) * value
-            return float(0.5 * np.sum(square / grown) + 0.5 * np.sum(np.log(grown)))
+        def loss(log_sd: float, parts: Sequence[tuple[FloatArray, FloatArray, FloatArray]] = parts) -> float:
+            return sum(_negative_log_likelihood(math.exp(2 * log_sd), *part) for part in parts)
 
         typical = 0.5 * math.log(float(np.median(sample.variances[:, axis])))
         # smooth waves are fitted alike by a longer and larger field, which would say too little between targets: no larger than it is seen
@@ -300,7 +299,24 @@ def _likely(
         )
         largest = math.log(max(LARGEST_SHARE * MAD_TO_SD * float(np.median(np.abs(seen - np.median(seen)))), math.exp(typical)))
         found = minimize_scalar(loss, bounds=(typical - 2.0, min(largest, typical + 5.0) + 0.1), method="bounded", options={"xatol": 0.02})
-        better = 0.5 * float(np.sum(square)) - float(found.fun)
+        better = 0.5 * sum(float(white @ white) for _, _, white in parts) - float(found.fun)
         sds.append(math.exp(float(found.x)) if better > 1.0 else 0.0)
         gain += max(better, 0.0)
     return (sds[0], sds[1], sds[2]), gain
+
+
+def _tridiagonal(matrix: FloatArray, vector: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Diagonal (k,) and off-diagonal (k - 1,) of a symmetric (k, k) matrix, k > 1, turned to tridiagonal form, and a (k,) vector with it.
+
+    Householder reduction (Golub and Van Loan, 2013, sec. 8.3.1).
+    """
+    reflectors, diagonal, beside, factors, _ = dsytrd(matrix, lower=1)
+    turned = vector.copy()
+    turned[1:] = dormqr("L", "T", reflectors[1:, :-1], factors, vector[1:, None], lwork=64)[0][:, 0]
+    return diagonal, beside, turned
+
+
+def _negative_log_likelihood(variance: float, diagonal: FloatArray, beside: FloatArray, white: FloatArray) -> float:
+    """Of white noise plus ``variance`` times a tridiagonal matrix, at whitened values (k,), up to a constant."""
+    pivots, factor, _ = dpttrf(1 + variance * diagonal, variance * beside)
+    return 0.5 * float(white @ dpttrs(pivots, factor, white)[0]) + 0.5 * float(np.sum(np.log(pivots)))

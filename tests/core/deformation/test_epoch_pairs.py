@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from synthetic_units import UNIT, grid_poses, unturned_pair
-from tetratrack.core.deformation.congruence import NullModel, f_p_value
 from tetratrack.core.deformation.displacement import FramePart, moved_share
 from tetratrack.core.deformation.epoch_pairs import TrackedUnits, compare_epochs
 from tetratrack.core.deformation.identity import Track
 from tetratrack.core.deformation.joint_records import JointAdjustment
+from tetratrack.core.deformation.null_model import NullModel, f_p_value
 from tetratrack.core.deformation.tracked_epoch import TrackedEpoch, TrackedUnit
 from tetratrack.core.model.pose import Pose
 
