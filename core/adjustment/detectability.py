@@ -199,9 +199,12 @@ def point_counts(
     facing = normals @ direction
     steps = np.linspace(0.02, 1, 48)[1:] * 2 * unit.leg_length
     lifted = centres + 1e-3 * unit.height * normals
-    along = (lifted[:, None, :] + steps[None, :, None] * direction).reshape(-1, 3)
-    hidden = (distance_to_surface(along, unit).reshape(len(centres), -1) < 0).any(axis=1)
-    seen = (facing > 0) & ~hidden
+    # of those that face away nothing is asked, and nothing lies beyond the reach of the unit
+    ahead = np.flatnonzero(facing > 0)
+    along = lifted[ahead, None, :] + steps[None, :, None] * direction
+    row, step = np.nonzero(np.sum(along**2, axis=2) < unit.reach**2)
+    seen = facing > 0
+    seen[ahead[row[distance_to_surface(along[row, step], unit) < 0]]] = False
     order = np.argsort(-(centres @ direction), kind="stable")
     kept = np.cumsum(np.where(seen[order], area[order], 0)) <= visible_share * area.sum()
     free = np.zeros(len(centres), dtype=bool)

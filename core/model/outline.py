@@ -83,7 +83,12 @@ def quaternion_of_rotation(rotation: FloatArray) -> FloatArray:
 def reach(directions: ArrayLike, shape: PlacedShape) -> FloatArray:
     """(...,) distance in metres from the centre to the surface along (..., 3) unit directions in the CRS axes."""
     body = np.asarray(directions, dtype=np.float64) @ shape.rotation
-    cosine = np.clip(np.max(body @ shape.legs.T, axis=-1), -1, 1)
+    return _reach_beside(np.max(body @ shape.legs.T, axis=-1), shape)
+
+
+def _reach_beside(cosine: FloatArray, shape: PlacedShape) -> FloatArray:
+    """The same by the cosine of the angle between a direction and the axis of the leg next to it."""
+    cosine = np.clip(cosine, -1, 1)
     sine = np.sqrt(1 - cosine**2)
     return np.asarray(np.minimum(shape.radius / (sine + shape.gradient * cosine), shape.leg_length / np.maximum(cosine, 1e-12)))
 
@@ -92,11 +97,12 @@ def volume(shape: PlacedShape) -> float:
     """Volume of the union of the four frusta, m3: the integral of reach^3 / 3 over the sphere, since co-centred cones are star-shaped."""
     z, weight = np.polynomial.legendre.leggauss(400)
     azimuth = (np.arange(720) + 0.5) * (2 * math.pi / 720)
-    rho = np.sqrt(1 - z**2)
-    directions = np.stack(
-        [rho[:, None] * np.cos(azimuth), rho[:, None] * np.sin(azimuth), np.broadcast_to(z[:, None], (400, 720))], axis=-1
-    )
-    return float(np.sum(weight[:, None] * reach(directions, shape) ** 3) / 3 * (2 * math.pi / 720))
+    east, north, rho = np.cos(azimuth), np.sin(azimuth), np.sqrt(1 - z**2)
+    cosine = np.full((len(z), len(azimuth)), -1.0)
+    for leg in shape.legs @ shape.rotation.T:
+        np.maximum(cosine, np.multiply.outer(rho, leg[0] * east + leg[1] * north) + (leg[2] * z)[:, None], out=cosine)
+    reached = _reach_beside(cosine, shape)
+    return float(weight @ np.sum(reached * reached * reached, axis=1) / 3 * (2 * math.pi / 720))
 
 
 def nominal_diameter(shapes: Sequence[PlacedShape]) -> float:
