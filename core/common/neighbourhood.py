@@ -20,6 +20,8 @@ FEWEST_A_PLACE = 15
 """Points for each place from which it takes less time to go past all of them than to grow a tree."""
 GENEROUS = 2.0
 """How much farther neighbours are looked for than they are supposed to lie: four times as many are found on a surface."""
+FEW_IN_COLUMN = 12
+"""Points for each column of a row of cells up to which all of the row's are gone past, however high they lie."""
 MOST_SQUARES = 4_000_000
 """Squares of a table of places, or places listed in them, up to which it is made: 32 MB each."""
 
@@ -236,6 +238,31 @@ def column_within(i: int, j: int, middle: Any, reach: float, grid: Any) -> Any:
     return np.int64(grid.start[row + low]), np.int64(grid.start[row + high])
 
 
+@kernel(makes_arrays=False)
+def _rows_within(middle: float, reach: float, origin: float, cell: float, size: int) -> Any:
+    """First and last cell along an axis that lie within ``reach`` of a coordinate."""
+    return max(0, int(np.floor((middle - reach - origin) / cell))), min(size - 1, int(np.floor((middle + reach - origin) / cell)))
+
+
+@kernel(makes_arrays=False)
+def _columns_within(i: int, middle: Any, reach: float, grid: Any) -> Any:
+    """First and last column of the row i that a ball meets; the last before the first where it meets none."""
+    # rounding may put a point into the cell beside its own
+    wide = reach * (1.0 + 1e-6)
+    x = grid.origin[0] + i * grid.cell
+    beside = max(max(x - middle[0], middle[0] - x - grid.cell), 0.0)
+    if beside > wide:
+        return 0, -1
+    return _rows_within(middle[1], np.sqrt(wide * wide - beside * beside), grid.origin[1], grid.cell, grid.size[1])
+
+
+@kernel(makes_arrays=False)
+def _points_of_columns(i: int, left: int, right: int, grid: Any) -> Any:
+    """From where to where, in the order of the cells, the points of columns i, left to i, right lie."""
+    k = i * grid.size[1]
+    return np.int64(grid.start[grid.column[k + left]]), np.int64(grid.start[grid.column[k + right + 1]])
+
+
 @kernel()
 def gather(active: Any, middle: Any, reach: float, grid: Any, most: Any) -> Any:
     """Indices of active points of a grid within ``reach`` of ``middle``; an even choice of ``most`` of them where there are more.
@@ -243,19 +270,23 @@ def gather(active: Any, middle: Any, reach: float, grid: Any, most: Any) -> Any:
     Compiled loops give ``middle`` as a tuple and ``most`` as an ``np.int64``: this one would be compiled anew for each way an array can
     lie in memory, and for each constant.
     """
-    order, places, origin, size, cell = grid.order, grid.places, grid.origin, grid.size, grid.cell
-    low = np.empty(2, dtype=np.int64)
-    high = np.empty(2, dtype=np.int64)
-    for a in range(2):
-        low[a] = max(0, int(np.floor((middle[a] - reach - origin[a]) / cell)))
-        high[a] = min(size[a] - 1, int(np.floor((middle[a] + reach - origin[a]) / cell)))
+    order, places = grid.order, grid.places
     count = 0
     room = 256
     found = np.empty(room, dtype=np.int64)
     limit = reach * reach
-    for i in range(low[0], high[0] + 1):
-        for j in range(low[1], high[1] + 1):
-            first, last = column_within(i, j, middle, reach, grid)
+    low, high = _rows_within(middle[0], reach, grid.origin[0], grid.cell, grid.size[0])
+    for i in range(low, high + 1):
+        left, right = _columns_within(i, middle, reach, grid)
+        if right < left:
+            continue
+        # columns of a row are stored one after the other, too: to go past a few points above and below the ball takes less time than to
+        # find where it begins and ends in each
+        first, last = _points_of_columns(i, left, right, grid)
+        step = right - left + 1 if last - first <= FEW_IN_COLUMN * (right - left + 1) else 1
+        for j in range(left, right + 1, step):
+            if step == 1:
+                first, last = column_within(i, j, middle, reach, grid)
             if count + last - first > room:
                 room = 2 * (count + last - first)
                 wider = np.empty(room, dtype=np.int64)
