@@ -44,6 +44,8 @@ setup_qgis() {
 
 test_qgis() {
     setup_qgis
+    step "translations" "run: apt-get install qttools5-dev-tools"
+    .venv-qgis/bin/python scripts/dev/translations.py build
     step "QGIS tests" "run: xvfb-run -a .venv-qgis/bin/python -m pytest tests/qgis"
     xvfb-run -a .venv-qgis/bin/python -m pytest tests/qgis -q -p no:cacheprovider
 }
