@@ -22,8 +22,10 @@ NORMAL_TAIL, LEAST_TAIL = 200.0, 3.0
 USUAL, USUAL_WITHIN = np.array([0.0, -0.7, math.log(15), -1.7]), np.array([0.7, 1.0, 0.8, 1.0])
 """Priors, mean and standard deviation: logarithms of the factor, of the floor over the formal deviations, and of the degrees of freedom
 of the tails, and log odds of a unit that moved."""
-STARTS = ([0.35, -0.7, math.log(15), -1.7], [1.2, 0.5, math.log(15), -1.7])
-"""Where the search begins: covariances as usual, and far too small."""
+FARTHEST = 12.0
+"""Standard deviations from what is usual up to which the search goes: its steps may be so long that exponentials overflow."""
+STARTS = ([0.35, -0.7, math.log(15), -1.7], [1.2, 0.5, math.log(15), -1.7], [0.35, 2.5, math.log(15), -1.7])
+"""Where the search begins: covariances as usual, far too small, and far below the floor."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +102,8 @@ def calibrate(residuals: FloatArray, covariances: FloatArray, scale: float, spre
         away = (parameters - USUAL) / USUAL_WITHIN
         return 0.5 * float(away @ away) - total, away / USUAL_WITHIN - np.array(slopes[:4]) * (2.0, 2.0, degrees, 1.0)
 
-    bounds = [(None, None), (None, None), (math.log(LEAST_TAIL), None), (None, None)]
+    bounds = np.column_stack([USUAL - FARTHEST * USUAL_WITHIN, USUAL + FARTHEST * USUAL_WITHIN])
+    bounds[2, 0] = math.log(LEAST_TAIL)
     best = min((minimize(target, start, jac=True, method="L-BFGS-B", bounds=bounds) for start in STARTS), key=lambda found: found.fun)
     factor, floor, tail, odds = best.x
     return NullModel(

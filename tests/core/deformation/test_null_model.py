@@ -64,6 +64,14 @@ def test_factor_floor_and_share_come_out_of_many_units() -> None:
     assert found.moved_share == pytest.approx(0.15, abs=0.03)
 
 
+@pytest.mark.parametrize(("seed", "factor", "floor"), [(11, 2.2, 0.03), (0, 1.5, 0.06)], ids=["a long step", "a start nearby"])
+def test_a_floor_far_above_what_is_stated_is_found(seed: int, factor: float, floor: float) -> None:
+    residuals, covariances = displacements(seed, 100, factor, floor, 6.0, 0.1)
+    found = calibrate(residuals, covariances, HEIGHT)
+    assert found.floor == pytest.approx(floor, rel=0.15)
+    assert found.factor < 3
+
+
 def test_no_units_leave_covariances_as_stated() -> None:
     found = calibrate(np.empty((0, 3)), np.empty((0, 3, 3)), HEIGHT)
     assert (found.factor, found.floor, found.count) == (1.0, 0.0, 0)
