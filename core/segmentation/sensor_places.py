@@ -301,6 +301,8 @@ def _best_places(drawn: FloatArray, seeds: Mapping[int, Around], solids: Solids,
         if share > GIVEN_UP:
             break
         best = drawn[np.argsort(-likelihoods, kind="stable")[: max(int(BEST * len(drawn)), FEWEST_BEST)]]
+        # a line is the same half a turn on: headings just above 0 and just below pi have their mean at 0
+        best[:, 3:] = best[0, 3:] + (best[:, 3:] - best[0, 3:] + math.pi / 2) % math.pi - math.pi / 2
         drawn = np.vstack([best, rng.multivariate_normal(best.mean(axis=0), WIDER * np.cov(best.T), LATER_DRAWS)])
     return places._replace(likelihoods=likelihoods), share
 

@@ -11,6 +11,7 @@ from tetratrack.core.segmentation.sensor_places import Solids, Source, nearest_f
 
 UNIT = UnitType.tetrapod(2.3)
 PLACE, HEADING = np.array([4.0, -12.0, 28.0]), np.array([np.cos(0.6), np.sin(0.6), 0.0])
+ALONG_X = np.array([np.cos(3.11), np.sin(3.11), 0.0])
 
 
 def poses_in_rows() -> np.ndarray:
@@ -41,7 +42,7 @@ def scanned(poses: np.ndarray, drift: np.ndarray, rng: np.random.Generator) -> n
     return points[free]
 
 
-@pytest.mark.parametrize("drift", [np.zeros(3), HEADING], ids=["stood", "flew"])
+@pytest.mark.parametrize("drift", [np.zeros(3), HEADING, ALONG_X], ids=["stood", "flew", "flew west"])
 def test_units_tell_together_where_the_sensor_was(drift: np.ndarray) -> None:
     poses = poses_in_rows()
     points = scanned(poses, drift, np.random.default_rng(4))
