@@ -24,7 +24,7 @@ HIGHEST_THRESHOLD = 10.0
 """Metres, as of the grades in survey.toml: a threshold above it was meant in millimetres."""
 LEG_COLUMNS = tuple(f"leg{k}{what}" for k in LEG_NUMBERS for what in ("", "_missing", "_probability"))
 """As in the layer ``units``, of the later epoch."""
-COLUMNS = (
+COLUMNS_OF_UNITS = (
     "unit_id",
     "class",
     "epoch_from",
@@ -44,8 +44,8 @@ COLUMNS = (
     "decision",
     "reviewer",
     "comment",
-    *LEG_COLUMNS,
 )
+COLUMNS = COLUMNS_OF_UNITS + LEG_COLUMNS
 
 
 def write_alarms(
@@ -123,7 +123,7 @@ def _record(row: UnitRow, pair: EpochPair, datum: str, words: tuple[str, str, st
     legs = " ".join(str(k) for k in row.broken_legs)
     missing = None if row.leg_missing is None else round(float(row.leg_missing), 3)
     values = (row.unit_id, row.kind, pair.epoch_from, pair.epoch_to, datum, *place, *rounded, row.p_value, legs, missing, *words)
-    return dict.fromkeys(COLUMNS) | dict(zip(COLUMNS, values, strict=False)) | _leg_values(row)
+    return dict(zip(COLUMNS_OF_UNITS, values, strict=True)) | dict.fromkeys(LEG_COLUMNS) | _leg_values(row)
 
 
 def _leg_values(row: UnitRow) -> dict[str, Any]:

@@ -94,11 +94,11 @@ def castings_page(
     shapes: Mapping[str, PlacedShape],
     harm: Damage | None,
 ) -> CastingsPage:
-    """Read what the settings of a result say of its moulds, and its units of their legs.
+    """Read what the settings of a result say of its moulds, and its units of their legs; rejected and uncertain ones are left out.
 
     ``shapes`` are those of the later epoch where a unit has one; ``harm`` tells axis and sections of the structure.
     """
-    kept = [row for row in rows if row.unit_id not in rejected]
+    kept = [row for row in rows if row.unit_id not in rejected and row.kind != "uncertain"]
     broken = sorted((row for row in kept if row.broken_legs), key=lambda row: (-(row.leg_missing or 0.0), row.unit_id))
     return CastingsPage(
         moulds=tuple(_moulds(epochs[-1].settings if epochs else {})),

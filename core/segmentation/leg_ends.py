@@ -97,7 +97,7 @@ class LegEnds:
         return LegEnds(self.states[order], self.missing[order], self.broken[order], self.evidence[order])
 
     def as_row(self) -> dict[str, object]:
-        """Fields of the layer ``units``: state, missing length and probability of each leg, and those of the unit's worst."""
+        """Fields of the layer ``units``: state, missing length and probability of each leg, and the largest of each."""
         row: dict[str, object] = {}
         for k, state in enumerate(self.states.tolist()):
             told = state != UNSEEN and math.isfinite(self.broken[k])

@@ -6,6 +6,7 @@ import csv
 import json
 import sqlite3
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -96,6 +97,8 @@ def test_two_broken_legs_of_a_unit_are_told_apart(result: Path, tmp_path: Path) 
     assert harm.n_broken == sum(s.broken_units for s in page.sections) == 1
     assert {name: sum(getattr(s, name) for s in page.sections) for name in ("whole", "broken", "unseen")} == page.legs
     assert castings_page(epochs, rows, frozenset({unit}), shapes, harm).broken_legs == ()
+    doubtful = [replace(row, kind="uncertain") if row.unit_id == unit else row for row in rows]
+    assert castings_page(epochs, doubtful, frozenset(), shapes, damage(doubtful)).broken_legs == (), "as in the alarm list"
     write_alarms(result, tmp_path / "a.geojson", 10.0)
     found = {f["properties"]["unit_id"]: f["properties"] for f in json.loads((tmp_path / "a.geojson").read_text())["features"]}[unit]
     assert (found["broken_legs"], found["leg_missing"]) == ("2 3", 0.81)
