@@ -291,7 +291,7 @@
     <message>
       <location filename="../algorithms/exportmodel.py" />
       <source>Bodies have 24 plane faces a leg. glTF, OBJ, IFC and JSON hold coordinates less a reduction point that stands in the file; DXF holds coordinates of the survey CRS and needs the library ezdxf in the engine.</source>
-      <translation>Les corps ont 24 faces planes par jambe. glTF, OBJ, IFC et JSON contiennent des coordonnées réduites d'un point indiqué dans le fichier ; DXF contient les coordonnées du SCR du levé et demande la bibliothèque ezdxf dans le moteur.</translation>
+      <translation>Les corps ont 24 faces planes par branche. glTF, OBJ, IFC et JSON contiennent des coordonnées réduites d'un point indiqué dans le fichier ; DXF contient les coordonnées du SCR du levé et demande la bibliothèque ezdxf dans le moteur.</translation>
     </message>
     <message>
       <location filename="../algorithms/exportmodel.py" />
@@ -361,7 +361,7 @@
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
       <source>Leg length (m)</source>
-      <translation>Longueur de jambe (m)</translation>
+      <translation>Longueur de branche (m)</translation>
     </message>
     <message>
       <location filename="../algorithms/extractfeaturepoints.py" />
@@ -381,7 +381,7 @@
     <message>
       <location filename="../algorithms/fittetrapods.py" />
       <source>With one visible leg the twist about its axis is undetermined: the unit says so in its large standard deviation.</source>
-      <translation>Avec une seule jambe visible, la rotation autour de son axe est indéterminée : le grand écart-type du bloc le montre.</translation>
+      <translation>Avec une seule branche visible, la rotation autour de son axe est indéterminée : le grand écart-type du bloc le montre.</translation>
     </message>
     <message>
       <location filename="../algorithms/fittetrapods.py" />
@@ -1086,7 +1086,7 @@
     <message>
       <location filename="../algorithms/segmenttetrapods.py" />
       <source>Finds every tetrapod in a pile: cones from pairs of oriented points, legs that agree on a common centre and on the angles between them, and verification against the visible surface and against empty space.</source>
-      <translation>Trouve chaque tétrapode d'un talus : cônes à partir de paires de points orientés, jambes d'accord sur un centre commun et sur leurs angles, et vérification contre la surface visible et l'espace vide.</translation>
+      <translation>Trouve chaque tétrapode d'un talus : cônes à partir de paires de points orientés, branches d'accord sur un centre commun et sur leurs angles, et vérification contre la surface visible et l'espace vide.</translation>
     </message>
     <message>
       <location filename="../algorithms/segmenttetrapods.py" />
@@ -1556,7 +1556,7 @@
     <message>
       <location filename="../algorithms/support/field_titles.py" />
       <source>Missing of a leg</source>
-      <translation>Manque d’une jambe</translation>
+      <translation>Manque d’une branche</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
@@ -1696,12 +1696,12 @@
     <message>
       <location filename="../algorithms/support/field_titles.py" />
       <source>Legs seen</source>
-      <translation>Jambes vues</translation>
+      <translation>Branches vues</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
       <source>Probability of a broken leg</source>
-      <translation>Probabilité d’une jambe cassée</translation>
+      <translation>Probabilité d’une branche cassée</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
@@ -1791,17 +1791,17 @@
     <message>
       <location filename="../algorithms/support/field_titles.py" />
       <source>Leg {number}</source>
-      <translation>Jambe {number}</translation>
+      <translation>Branche {number}</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
       <source>Leg {number}: missing</source>
-      <translation>Jambe {number} : manque</translation>
+      <translation>Branche {number} : manque</translation>
     </message>
     <message>
       <location filename="../algorithms/support/field_titles.py" />
       <source>Leg {number}: probability of a break</source>
-      <translation>Jambe {number} : probabilité de rupture</translation>
+      <translation>Branche {number} : probabilité de rupture</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1836,22 +1836,22 @@
     <message>
       <location filename="../algorithms/support/inputs.py" />
       <source>From the plane under three legs to the top of the fourth, in metres; overrides the catalogue.</source>
-      <translation>Du plan sous trois jambes au sommet de la quatrième, en mètres ; prime sur le catalogue.</translation>
+      <translation>Du plan sous trois branches au sommet de la quatrième, en mètres ; prime sur le catalogue.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
       <source>Radius of a leg's cone at the unit's centre, in metres; empty takes 0.264 H.</source>
-      <translation>Rayon du cône d'une jambe au centre du bloc, en mètres ; vide prend 0,264 H.</translation>
+      <translation>Rayon du cône d'une branche au centre du bloc, en mètres ; vide prend 0,264 H.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
       <source>Loss of radius per metre along the leg's axis; empty takes 0.176.</source>
-      <translation>Perte de rayon par mètre le long de l'axe de la jambe ; vide prend 0,176.</translation>
+      <translation>Perte de rayon par mètre le long de l'axe de la branche ; vide prend 0,176.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
       <source>Built tetrapods are tetrahedral; 120° between leg 1 and the others repeats the published equations.</source>
-      <translation>Les tétrapodes réels sont tétraédriques ; 120° entre la jambe 1 et les autres reproduit les équations publiées.</translation>
+      <translation>Les tétrapodes réels sont tétraédriques ; 120° entre la branche 1 et les autres reproduit les équations publiées.</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -1946,12 +1946,12 @@
     <message>
       <location filename="../algorithms/support/inputs.py" />
       <source>Taper of the leg</source>
-      <translation>Conicité de la jambe</translation>
+      <translation>Conicité de la branche</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
       <source>Angle between the legs</source>
-      <translation>Angle entre les jambes</translation>
+      <translation>Angle entre les branches</translation>
     </message>
     <message>
       <location filename="../algorithms/support/inputs.py" />
@@ -2161,7 +2161,7 @@
     <message>
       <location filename="../algorithms/support/layers.py" />
       <source>missing end of a broken leg</source>
-      <translation>bout manquant d’une jambe cassée</translation>
+      <translation>bout manquant d’une branche cassée</translation>
     </message>
     <message>
       <location filename="../algorithms/support/layers.py" />
@@ -2756,12 +2756,12 @@
     <message>
       <location filename="../plugin/review_corrections.py" />
       <source>Pin by three joints of legs (earlier epoch)</source>
-      <translation>Fixer par trois jonctions de jambes (époque antérieure)</translation>
+      <translation>Fixer par trois jonctions de branches (époque antérieure)</translation>
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
       <source>Pin by three joints of legs (later epoch)</source>
-      <translation>Fixer par trois jonctions de jambes (époque postérieure)</translation>
+      <translation>Fixer par trois jonctions de branches (époque postérieure)</translation>
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
@@ -2881,12 +2881,12 @@
     <message>
       <location filename="../plugin/review_corrections.py" />
       <source>Click three joints where three legs meet, on the map or in the views; Escape ends.</source>
-      <translation>Cliquez trois jonctions où trois jambes se rencontrent, sur la carte ou dans les vues ; Échap termine.</translation>
+      <translation>Cliquez trois jonctions où trois branches se rencontrent, sur la carte ou dans les vues ; Échap termine.</translation>
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
       <source>Click a joint where three legs meet; Escape ends.</source>
-      <translation>Cliquez une jonction où trois jambes se rencontrent ; Échap termine.</translation>
+      <translation>Cliquez une jonction où trois branches se rencontrent ; Échap termine.</translation>
     </message>
     <message>
       <location filename="../plugin/review_corrections.py" />
@@ -2970,7 +2970,7 @@
     <message>
       <location filename="../plugin/review_details.py" />
       <source>Leg</source>
-      <translation>Jambe</translation>
+      <translation>Branche</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3032,8 +3032,8 @@
       <location filename="../plugin/review_details.py" />
       <source>%n with a broken leg</source>
       <translation>
-        <numerusform>%n avec une jambe cassée</numerusform>
-        <numerusform>%n avec une jambe cassée</numerusform>
+        <numerusform>%n avec une branche cassée</numerusform>
+        <numerusform>%n avec une branche cassée</numerusform>
       </translation>
     </message>
     <message>
@@ -3089,7 +3089,7 @@
     <message>
       <location filename="../plugin/review_details.py" />
       <source>Legs seen, of four</source>
-      <translation>Jambes vues, sur quatre</translation>
+      <translation>Branches vues, sur quatre</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3099,7 +3099,7 @@
     <message>
       <location filename="../plugin/review_details.py" />
       <source>Ends not seen, of legs</source>
-      <translation>Bouts non vus, des jambes</translation>
+      <translation>Bouts non vus, des branches</translation>
     </message>
     <message numerus="yes">
       <location filename="../plugin/review_details.py" />
@@ -3147,7 +3147,7 @@
     <message>
       <location filename="../plugin/review_details.py" />
       <source>Legs</source>
-      <translation>Jambes</translation>
+      <translation>Branches</translation>
     </message>
     <message>
       <location filename="../plugin/review_details.py" />
@@ -3718,7 +3718,7 @@
     <message>
       <location filename="../plugin/review_text.py" />
       <source>Numbers of the legs that are broken; the page Numbers says how sure that is, and which ends are not seen</source>
-      <translation>Numéros des jambes cassées ; la page Nombres dit avec quelle certitude, et quels bouts ne sont pas vus</translation>
+      <translation>Numéros des branches cassées ; la page Nombres dit avec quelle certitude, et quels bouts ne sont pas vus</translation>
     </message>
     <message>
       <location filename="../plugin/review_text.py" />
