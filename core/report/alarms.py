@@ -15,15 +15,13 @@ from ..common.errors import InputError
 from ..common.output_files import check_own
 from ..results.field_checks import foreign_contents
 from ..results.geopackage_reader import EpochPair, crs_of
-from ..results.unit_legs import LEG_NUMBERS
+from ..results.unit_legs import FIELDS_OF_LEGS
 from ..results.unit_rows import UnitRow, over, read_unit_rows
 from ..review.decisions import read_reviews, rejected_units
 from .result_choice import choose_pair
 
 HIGHEST_THRESHOLD = 10.0
 """Metres, as of the grades in survey.toml: a threshold above it was meant in millimetres."""
-LEG_COLUMNS = tuple(f"leg{k}{what}" for k in LEG_NUMBERS for what in ("", "_missing", "_probability"))
-"""As in the layer ``units``, of the later epoch."""
 COLUMNS_OF_UNITS = (
     "unit_id",
     "class",
@@ -45,7 +43,8 @@ COLUMNS_OF_UNITS = (
     "reviewer",
     "comment",
 )
-COLUMNS = COLUMNS_OF_UNITS + LEG_COLUMNS
+COLUMNS = COLUMNS_OF_UNITS + FIELDS_OF_LEGS
+"""The last ones as in the layer ``units``, of the later epoch."""
 
 
 def write_alarms(
@@ -123,7 +122,7 @@ def _record(row: UnitRow, pair: EpochPair, datum: str, words: tuple[str, str, st
     legs = " ".join(str(k) for k in row.broken_legs)
     missing = None if row.leg_missing is None else round(float(row.leg_missing), 3)
     values = (row.unit_id, row.kind, pair.epoch_from, pair.epoch_to, datum, *place, *rounded, row.p_value, legs, missing, *words)
-    return dict(zip(COLUMNS_OF_UNITS, values, strict=True)) | dict.fromkeys(LEG_COLUMNS) | _leg_values(row)
+    return dict(zip(COLUMNS_OF_UNITS, values, strict=True)) | dict.fromkeys(FIELDS_OF_LEGS) | _leg_values(row)
 
 
 def _leg_values(row: UnitRow) -> dict[str, Any]:

@@ -16,6 +16,8 @@ LEG_NUMBERS = (1, 2, 3, 4)
 WHOLE, BROKEN, UNSEEN = "whole", "broken", "unseen"
 LEG_STATES = (WHOLE, BROKEN, UNSEEN)
 """Values of ``units.leg1`` to ``units.leg4``."""
+FIELDS_OF_LEGS = tuple(f"leg{k}{what}" for k in LEG_NUMBERS for what in ("", "_missing", "_probability"))
+"""What ``units`` states of each leg."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,6 +14,7 @@ from ..model.outline import quaternion_of_rotation, rotation_of_quaternion
 from ..model.unit_types import UnitType
 from ..results.geopackage_reader import Row, encode_line, encode_point, query, srs_of
 from ..results.schema import FEATURES
+from ..results.unit_legs import FIELDS_OF_LEGS
 from .pose_from_picks import joints_of
 from .unit_records import DELETE_ROW, columns_of, delete_rows, insert_row, raw_row, rows_of_unit, tables_of
 
@@ -23,6 +24,10 @@ CRITICAL_P = {
         "SELECT max(p_value) FROM displacements_other WHERE significant AND epoch_from = ? AND epoch_to = ? AND datum = ?"
     ),
 }
+
+
+SAME_PLACE_HEIGHTS, SAME_TURN_DEG = 0.1, 10.0
+"""Shift over H and turn up to which what was seen of the legs at the old pose holds for the new one."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -58,7 +63,8 @@ class NewPose:
 
 
 def write_pose(connection: sqlite3.Connection, old: Row, pose: NewPose, rotation: FloatArray) -> None:
-    """Put a pose into the unit's row; what a fit states and a pose pinned by hand has not becomes empty."""
+    """Put a pose into the unit's row; what a fit states and a pose pinned by hand has not becomes empty, as does what was seen of the legs
+    of another pose."""
     q = quaternion_of_rotation(rotation)
     values = {
         "geom": encode_point(srs_of(connection), pose.centre),
@@ -76,9 +82,19 @@ def write_pose(connection: sqlite3.Connection, old: Row, pose: NewPose, rotation
         "covariance": None,
         "status": "found" if old["status"] in ("uncertain", "lost", "unseen") else old["status"],
     }
+    if not _is_alike(old, pose, rotation):
+        values |= dict.fromkeys(("leg_missing", "leg_probability", *FIELDS_OF_LEGS))
     row = {name: values.get(name, value) for name, value in raw_row(connection, "units", old["fid"]).items()}
     connection.execute(DELETE_ROW["units"], (old["fid"],))
     insert_row(connection, "units", row)
+
+
+def _is_alike(old: Row, pose: NewPose, rotation: FloatArray) -> bool:
+    """Whether a pose is the one of the unit's row but for what fits differ by."""
+    if old["geom"] is None or old["qw"] is None:
+        return False
+    turn = _degrees_between(rotation_of_quaternion([old[name] for name in ("qx", "qy", "qz", "qw")]), rotation)
+    return bool(np.linalg.norm(pose.centre - old["geom"]) < SAME_PLACE_HEIGHTS * pose.height and turn < SAME_TURN_DEG)
 
 
 def write_features(connection: sqlite3.Connection, rows: Sequence[Row], old: Row, pose: NewPose, rotation: FloatArray) -> None:
@@ -273,7 +289,11 @@ def _rotations(connection: sqlite3.Connection, unit_id: str) -> dict[str, FloatA
 def _turn(rotations: dict[str, FloatArray], start: str, stop: str) -> float | None:
     if start not in rotations or stop not in rotations:
         return None
-    cosine = (np.trace(rotations[start].T @ rotations[stop]) - 1) / 2
+    return _degrees_between(rotations[start], rotations[stop])
+
+
+def _degrees_between(start: FloatArray, stop: FloatArray) -> float:
+    cosine = (np.trace(start.T @ stop) - 1) / 2
     return math.degrees(math.acos(min(max(float(cosine), -1.0), 1.0)))
 
 

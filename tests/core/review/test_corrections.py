@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import sqlite3
 from contextlib import closing, suppress
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -84,6 +85,27 @@ def test_new_pose_moves_features_and_displacements_and_undo_restores_every_row(r
     details = read_details(result, unit.unit_id)
     for k, name in enumerate(("centre", "f123", "f124", "f134", "f234")):
         np.testing.assert_allclose(details.features[first.epoch_to][name][0], features_of(unit, 1)[k] + shift, atol=1e-6)
+    undo_edit(result, read_edits(result)[-1].number, editor="A")
+    assert dump(result) == before
+
+
+@pytest.mark.parametrize(("shift", "turn", "kept"), [(0.05, 5.0, True), (0.5, 0.0, False), (0.0, 30.0, False)])
+def test_what_was_seen_of_legs_goes_with_a_pose_that_was_another(
+    result: Path, tmp_path: Path, shift: float, turn: float, kept: bool
+) -> None:
+    unit = next(u for u in write_result(tmp_path / "twin.gpkg", 40, 3) if u.fate == "stable")
+    told = {"leg1": "whole", "leg2": "broken", "leg3": "unseen", "leg4": "whole", "leg_missing": 0.4, "leg2_missing": 0.4}
+    told |= {"leg_probability": 0.9, "leg2_probability": 0.9}
+    epoch = epoch_pairs(result)[0].epoch_to
+    with closing(sqlite3.connect(result)) as connection, connection:
+        for name, value in told.items():
+            connection.execute(f"UPDATE units SET {name} = ?", (value,))  # noqa: S608 - names of the test
+    before = dump(result)
+    pose = new_pose(unit.centres[1] + [shift, 0, 0], unit.quaternions[1])
+    about_up = rotation_of_quaternion([0, 0, np.sin(np.radians(turn) / 2), np.cos(np.radians(turn) / 2)])
+    set_pose(result, unit.unit_id, epoch, replace(pose, rotation=about_up @ pose.rotation), editor="A")
+    row = next(r for r in read_layer_rows(result, "units") if r["unit_id"] == unit.unit_id and r["epoch"] == epoch)
+    assert {name: row[name] for name in told} == (told if kept else dict.fromkeys(told))
     undo_edit(result, read_edits(result)[-1].number, editor="A")
     assert dump(result) == before
 
