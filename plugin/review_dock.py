@@ -97,7 +97,11 @@ class ReviewDock(QgsDockWidget):
 
         if self.status.busy or not self.status.attempt(read):
             return False
-        store = opened[0]
+        with self.status.working():
+            self._show(opened[0])
+        return True
+
+    def _show(self, store: ReviewStore) -> None:
         self._close_store()
         self.start.footprints.clear()
         # the new store shows all units; with none open the filters tell nobody
@@ -122,7 +126,6 @@ class ReviewDock(QgsDockWidget):
             else tr("{name} is read-only: you can look, but decisions cannot be stored.").format(name=store.path.name),
             bad=not store.writable,
         )
-        return True
 
     def choose_file(self) -> None:
         """Ask for a result file."""

@@ -32,6 +32,7 @@ from ..algorithms.support.lengths import write_project_lengths
 from ..algorithms.support.translation import tr
 from ..core.common.arrays import FloatArray
 from ..core.results.geopackage_reader import table_names
+from .review_panels import draw
 from .review_store import ReviewStore
 from .review_text import datum_label
 
@@ -98,12 +99,12 @@ class ReviewMap(QObject):
         self._shown: tuple[object, ...] | None = None
         self._fids: dict[str, list[int]] = {}
         self._units: dict[int, str] = {}
-        self.units = self._open("units", tr("Units reviewed"))
-        self.outlines = self._open("unit_outlines", tr("Outlines of the units"))
-        self.displacements = self._open("displacements", tr("Displacements reviewed"))
-        self.other = self._open("displacements_other", tr("Displacements reviewed, other pair or datum"))
-        self.rejected = self._open("units", tr("Rejected units (excluded)"))
-        self.gaps = self._open("gaps", tr("Gaps"))
+        self.units = self._open_first("units", tr("Units reviewed"))
+        self.outlines = self._open_first("unit_outlines", tr("Outlines of the units"))
+        self.displacements = self._open_first("displacements", tr("Displacements reviewed"))
+        self.other = self._open_first("displacements_other", tr("Displacements reviewed, other pair or datum"))
+        self.rejected = self._open_first("units", tr("Rejected units (excluded)"))
+        self.gaps = self._open_first("gaps", tr("Gaps"))
         own = (self.rejected, self.displacements, self.other, self.gaps, self.units, self.outlines)
         self.layers = [layer for layer in own if layer.isValid()]
         # tables of corrections come into the file with the first one
@@ -361,6 +362,12 @@ class ReviewMap(QObject):
         options.forceReadOnly = True
         return QgsVectorLayer(f"{self.store.path.as_posix()}|layername={name}", title, "ogr", options)
 
+    def _open_first(self, name: str, title: str) -> QgsVectorLayer:
+        layer = self._open(name, title)
+        # opening and styling all layers takes a third of a second: the window draws itself between two of them
+        draw()
+        return layer
+
     def _open_added(self) -> list[QgsVectorLayer]:
         """Open the layers that corrections have added to the file; those that are new."""
         new = []
@@ -386,6 +393,7 @@ class ReviewMap(QObject):
             if layer.isValid():
                 apply_style(layer, name)
                 show_every_epoch(layer)
+                draw()
         symbol = QgsMarkerSymbol.createSimple({"name": "cross2", "size": "3.2", "outline_width": "0.5"})
         symbol.setColor(QColor("#7F8C8D"))
         symbol.symbolLayer(0).setStrokeColor(QColor("#7F8C8D"))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import getpass
 import html
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -107,9 +108,8 @@ class StatusLine:
 
         Where that takes long, or another program holds the file, the window goes on drawing itself; it takes no input meanwhile.
         """
-        before, self.busy = self.busy, True
         try:
-            with meanwhile(draw):
+            with self.working(), meanwhile(draw):
                 act()
         except TetratrackError as error:
             if not quiet:
@@ -117,9 +117,16 @@ class StatusLine:
                 text = str(error)
                 self.say(text if error.source is not None else text[:1].upper() + text[1:], bad=True)
             return False
+        return True
+
+    @contextmanager
+    def working(self) -> Iterator[None]:
+        """While this lasts the dock begins nothing else, though the window draws itself."""
+        before, self.busy = self.busy, True
+        try:
+            yield
         finally:
             self.busy = before
-        return True
 
 
 def draw() -> None:
