@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -95,11 +96,20 @@ def _reach_beside(cosine: FloatArray, shape: PlacedShape) -> FloatArray:
 
 def volume(shape: PlacedShape) -> float:
     """Volume of the union of the four frusta, m3: the integral of reach^3 / 3 over the sphere, since co-centred cones are star-shaped."""
+    axes = np.asarray(shape.legs @ shape.rotation.T, dtype=np.float64)
+    return _volume(shape.radius, shape.gradient, shape.leg_length, axes.tobytes())
+
+
+@lru_cache(maxsize=256)
+def _volume(radius: float, gradient: float, leg_length: float, legs: bytes) -> float:
+    """The same by the axes of the legs in the CRS, given as bytes: the same for units of one kind that lie alike."""
+    axes = np.frombuffer(legs).reshape(-1, 3)
+    shape = PlacedShape(centre=np.zeros(3), rotation=np.eye(3), radius=radius, gradient=gradient, leg_length=leg_length, legs=axes)
     z, weight = np.polynomial.legendre.leggauss(400)
     azimuth = (np.arange(720) + 0.5) * (2 * math.pi / 720)
     east, north, rho = np.cos(azimuth), np.sin(azimuth), np.sqrt(1 - z**2)
     cosine = np.full((len(z), len(azimuth)), -1.0)
-    for leg in shape.legs @ shape.rotation.T:
+    for leg in axes:
         np.maximum(cosine, np.multiply.outer(rho, leg[0] * east + leg[1] * north) + (leg[2] * z)[:, None], out=cosine)
     reached = _reach_beside(cosine, shape)
     return float(weight @ np.sum(reached * reached * reached, axis=1) / 3 * (2 * math.pi / 720))

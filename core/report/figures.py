@@ -29,6 +29,8 @@ EARLIER, LATER = "#0072B2", "#D55E00"
 FEATURE_COLOURS = {"centre": "#000000", "f123": EARLIER, "f124": LATER, "f134": "#009E73", "f234": "#882255"}
 SLAB = 0.12
 RESOLUTION = 150
+LAYOUTS, STEADY = 3, 1e-5
+"""Passes of the layout at most, and the share of a figure, a hundredth of a pixel, by which a pass moves axes that need no further one."""
 
 
 def empty_figure(width: float, height: float) -> Figure:
@@ -48,12 +50,30 @@ def drawn_as_uri(figure: Figure) -> str:
         text.set_fontfamily(families)
         # names may hold dollar signs, which are no formulas
         text.set_parse_math(False)
-    # a pass lays out with the ticks of before it, and cuts the name of an axis whose numbers change; a second one may change them again
-    for _pass in range(2):
-        figure.draw_without_rendering()
+    _lay_out(figure)
+    # or saving would lay out anew and draw twice
+    figure.set_layout_engine(None)
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", metadata={"Software": None})
     return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode('ascii')}"
+
+
+def _lay_out(figure: Figure) -> None:
+    """Lay a figure out as often as its axes move."""
+    layout = figure.get_layout_engine()
+    if layout is None:
+        return
+    # a pass lays out with the ticks of before it, and cuts the name of an axis whose numbers change; a second one may change them again
+    for _pass in range(LAYOUTS):
+        before = _places_of_axes(figure)
+        layout.execute(figure)
+        if np.abs(_places_of_axes(figure) - before).max(initial=0.0) < STEADY:
+            break
+
+
+def _places_of_axes(figure: Figure) -> FloatArray:
+    """(n, 4) left, lower, right and upper edges of all axes as laid out, as shares of the figure."""
+    return np.array([axes.get_position(original=True).extents for axes in figure.axes])
 
 
 def overview_map(

@@ -243,35 +243,26 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
     control = tuple(row for row in read_layer_rows(result, "control_residuals") if row["epoch"] in (pair.epoch_from, pair.epoch_to))
     judged = [row for row in rows if row.unit_id not in rejected and row.is_judged]
     harm = damage(rows, excluded=rejected, axis=options.axis, width=options.width, section=options.section) if judged else None
-    drawn = {"overview": figures.overview_map(rows, shapes, control, rejected, translate)}
-    drawn["blocks"] = block_view([row for row in rows if row.unit_id not in rejected], late or early, translate)
-    if harm is not None and any(row.d_3d is not None for row in judged):
-        drawn["displacements"] = figures.displacement_map(rows, shapes, rejected, translate)
-        drawn["histogram"] = figures.histogram(judged, [(c.name, c.limit) for c in harm.classes], translate)
-        if len(harm.sections) > 1:
-            tenth = harm.classes.index(harm.displaced(0.10))
-            shares = [s.counts[tenth] / s.units for s in harm.sections]
-            first = harm.sections[0]
-            drawn["sections"] = figures.section_chart([s.start for s in harm.sections], shares, first.stop - first.start, translate)
     frames = frames_page(result, pair, control, max((size.height or 0.0 for size in sizes), default=0.0) or 1.0)
-    drawn |= {} if frames is None else figures.frame_charts(frames.bends, frames.stretches, translate)
     castings = castings_page(epochs, rows, rejected, early | late, harm)
-    drawn |= mould_charts(castings.moulds, translate)
     key = (pair.epoch_from, pair.epoch_to)
     kept = [row for row in rows if row.unit_id not in rejected]
     words = {"inspect": translate("inspect on site")}
     decisions = {unit: words.get(review.decision) or translate(review.decision) for unit, review in reviews.items()}
     points = _Points(result)
+    drawn = _pictures(frozenset(options.sections), rows, (early, late), control, rejected, harm, translate)
+    drawn |= figures.frame_charts(frames.bends, frames.stretches, translate) if frames is not None and "frames" in options.sections else {}
+    drawn |= mould_charts(castings.moulds, translate) if "castings" in options.sections else {}
     worst = []
-    # their pictures take more than half of the time of all
     for moved in _most_moved(kept, options.worst) if "worst" in options.sections else ():
         details = read_details(result, moved.unit_id, sizes)
         drawn_series = _series(details, moved, epochs, datum, translate)
         drawn_views = _views(details, moved, pair, datum, points, translate)
         worst.append(WorstUnit(moved, reviews.get(moved.unit_id), drawn_views, drawn_series))
     structure = structure_pages(
-        result, pair, (early, late), kept, rejected, sizes, replace(options.structure, axis=options.axis), translate, clouds=points.clouds
-    )
+        result, pair, (early, late), kept, rejected, sizes, replace(options.structure, axis=options.axis), translate,
+        clouds=points.clouds, shown=frozenset(options.sections),
+    )  # fmt: skip
     frame = crs_of(result)
     return ReportData(
         name=str(settings.get("survey") or result.stem),
@@ -293,7 +284,7 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
         castings=castings,
         counts={kind: sum(row.kind == kind for row in rows if row.unit_id not in rejected) for kind in CLASS_COLOURS},
         figures=drawn,
-        details=tuple(detail_maps(kept, shapes, translate)),
+        details=tuple(detail_maps(kept, shapes, translate)) if "map" in options.sections else (),
         structure=structure,
         explorer=explorer_data(kept, (early, late), control, decisions, pair, translate),
         settings=settings,
@@ -301,6 +292,38 @@ def collect(result: Path, options: ReportOptions, translate: Translate) -> Repor
         software=f"tetratrack {software_version()}",
         notes=(*points.notes, *structure.notes),
     )
+
+
+def _pictures(
+    shown: frozenset[str],
+    rows: Sequence[UnitRow],
+    ends: tuple[Mapping[str, PlacedShape], Mapping[str, PlacedShape]],
+    control: Sequence[Row],
+    rejected: frozenset[str],
+    harm: Damage | None,
+    translate: Translate,
+) -> dict[str, str]:
+    """Pictures of all units by name, those of the sections ``shown``; ``ends`` are shapes in the earlier and in the later epoch."""
+    early, late = ends
+    shapes = {**late, **early}
+    kept = [row for row in rows if row.unit_id not in rejected]
+    judged = [row for row in kept if row.is_judged]
+    drawn = {}
+    if "map" in shown:
+        drawn["overview"] = figures.overview_map(rows, shapes, control, rejected, translate)
+    if "blocks" in shown:
+        drawn["blocks"] = block_view(kept, late or early, translate)
+    if harm is None or all(row.d_3d is None for row in judged):
+        return drawn
+    if "displacements" in shown:
+        drawn["displacements"] = figures.displacement_map(rows, shapes, rejected, translate)
+        drawn["histogram"] = figures.histogram(judged, [(c.name, c.limit) for c in harm.classes], translate)
+    if "damage" in shown and len(harm.sections) > 1:
+        tenth = harm.classes.index(harm.displaced(0.10))
+        shares = [s.counts[tenth] / s.units for s in harm.sections]
+        first = harm.sections[0]
+        drawn["sections"] = figures.section_chart([s.start for s in harm.sections], shares, first.stop - first.start, translate)
+    return drawn
 
 
 def said_of_fonts(data: ReportData, language: str) -> str:

@@ -86,6 +86,7 @@ def structure_pages(
     translate: Translate,
     *,
     clouds: Clouds,
+    shown: frozenset[str],
 ) -> StructurePages:
     """Compute and draw the pages.
 
@@ -99,6 +100,8 @@ def structure_pages(
         Names of these.
     clouds
         Points to show in the sections.
+    shown
+        Sections of the report; what takes long is made for those alone that show it.
     """
     early, late = ({row.unit_id: found[row.unit_id] for row in rows if row.unit_id in found} for found in shapes)
     counted = {(row["epoch"], row["unit_id"]) for row in read_layer_rows(result, "units") if row["status"] in COUNTED}
@@ -117,13 +120,13 @@ def structure_pages(
     design = compare_design(result, options.design, pair.epoch_to, excluded=rejected) if options.design is not None and late else None
     profile = options.design.profile if options.design else ""
     found = None
-    if early or late:
+    if (early or late) and "profiles" in shown:
         found = profiles(result, clouds=clouds, axis=options.axis, step=options.step, profile=profile, excluded=rejected)
     figures: dict[str, Any] = {}
     if found is not None:
         figures["sections"] = section_figures(found, pair, translate)
         figures["crest"] = crest_chart(found, pair, translate)
-    if design is not None:
+    if design is not None and "design" in shown:
         figures["design"] = design_map(design, late, translate)
     return StructurePages(
         placement=None if after is None else summary(after, symmetries),

@@ -72,8 +72,8 @@ OUTPUTS = [
     (("model", "SITE/result.gpkg"), "o.obj", _bytes),
     (("model", "SITE/result.gpkg"), "o.glb", _bytes),
     (("model", "SITE/result.gpkg"), "o.ifc", _bytes),
-    (("report", "SITE/result.gpkg"), "o.html", _web_page),
-    (("report", "SITE/result.gpkg"), "o.pdf", _bytes),
+    (("report", "SITE/result.gpkg", "--worst", "1"), "o.html", _web_page),
+    (("report", "SITE/result.gpkg", "--worst", "1"), "o.pdf", _bytes),
     (("profiles", "SITE/result.gpkg"), "o.gpkg", lambda path: shutil.copy(path.with_name("result.gpkg"), path)),
     (("design", "SITE/result.gpkg", "--plan", "SITE/plan.csv"), "o.gpkg", lambda path: shutil.copy(path.with_name("result.gpkg"), path)),
 ]

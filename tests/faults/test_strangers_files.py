@@ -20,7 +20,7 @@ from tetratrack.core.common.errors import InputError
 from tetratrack.core.data.point_tables import read_control
 from tetratrack.core.data.survey_reader import read_survey
 from tetratrack.core.data.vector_files import check_vector_file
-from tetratrack.core.report.report import write_report
+from tetratrack.core.report.report import ReportOptions, write_report
 from tetratrack.core.results.export import export_layers
 from tetratrack.core.results.geopackage_reader import epoch_pairs, read_layer_rows
 from tetratrack.core.review.decisions import decide
@@ -45,7 +45,7 @@ def harmless(tmp_path_factory: pytest.TempPathFactory) -> str:
     """The report of such a result as it is."""
     path = tmp_path_factory.mktemp("harmless") / "result.gpkg"
     synthetic_result.write_result(path, count=24, epochs=2)
-    write_report(path, path.with_suffix(".html"))
+    write_report(path, path.with_suffix(".html"), ReportOptions(worst=1))
     return path.with_suffix(".html").read_text(encoding="utf-8")
 
 
@@ -84,7 +84,7 @@ def test_a_name_is_a_name_in_the_report(result: Path, tmp_path: Path, harmless: 
         connection.execute("UPDATE feature_points SET epoch = ? || epoch", ("$\\x",))
         for end in ("epoch_from", "epoch_to"):
             connection.execute(f"UPDATE displacements SET {end} = ? || {end}", ("$\\x",))  # noqa: S608 - constants
-    write_report(result, tmp_path / "report.html")
+    write_report(result, tmp_path / "report.html", ReportOptions(worst=1))
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     for element in ("style", "script"):  # of the report's own alone: what the name says changes neither
         assert _elements(page, element) == _elements(harmless, element)
@@ -274,7 +274,7 @@ DAMAGES: list[Callable[[Path], None]] = [
 @pytest.mark.parametrize("damage", DAMAGES)
 def test_a_damaged_point_index_counts_as_none(result: Path, tmp_path: Path, damage: Callable[[Path], None]) -> None:
     damage(index_folder(result))
-    told = CliRunner().invoke(app, ["report", str(result), "-o", str(tmp_path / "r.html")])
+    told = CliRunner().invoke(app, ["report", str(result), "-o", str(tmp_path / "r.html"), "--worst", "1"])
     assert told.exit_code == 0, told.stderr
     assert "units are drawn without points" in told.stderr
     pair = epoch_pairs(result)[0]
@@ -294,7 +294,7 @@ def test_a_damaged_point_index_is_named_by_the_command_that_shows_its_points(res
 
 
 def test_an_index_that_is_sound_is_read(result: Path, tmp_path: Path) -> None:
-    told = CliRunner().invoke(app, ["report", str(result), "-o", str(tmp_path / "r.html")])
+    told = CliRunner().invoke(app, ["report", str(result), "-o", str(tmp_path / "r.html"), "--worst", "1"])
     assert told.exit_code == 0, told.stderr
     assert "without points" not in told.stderr
 

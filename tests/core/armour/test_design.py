@@ -183,7 +183,7 @@ def test_names_that_are_not_followed_are_said_by_the_command_and_the_report(resu
     assert told.exit_code == 0
     assert "paired by place" in " ".join(told.output.split())
     structure = StructureOptions(design=Design(plan=str(plan)))
-    notes = write_report(result, tmp_path / "report.html", ReportOptions(structure=structure)).notes
+    notes = write_report(result, tmp_path / "report.html", ReportOptions(structure=structure, sections=("design",))).notes
     assert any("paired by place" in note for note in notes)
 
 
