@@ -68,6 +68,25 @@ def test_noise_and_strays_break_no_leg() -> None:
         assert BROKEN not in ends.states
 
 
+def test_rock_within_a_leg_whose_sides_go_on_breaks_nothing() -> None:
+    rng = np.random.default_rng(8)
+    points, _, _ = sample_surface(UNIT, 12_000, rng)
+    axis = UNIT.leg_directions[2]
+    # half of the leg, as deep as its axis and as far as its end
+    within = rng.uniform(-1, 1, (80_000, 3))
+    leg, axial, rho, sector = leg_places(within, UNIT)
+    deep = rho < UNIT.radius - UNIT.gradient * axial - 0.1
+    along = axial / UNIT.leg_length
+    rock = within[(leg == 2) & deep & (along > FACE[0]) & (along < FACE[1]) & (sector < SECTORS // 2)]
+    assert len(rock) > 300
+    ends = leg_ends(LegView(np.vstack([points, rock]), UNIT, 0.004))
+    assert ends.states.tolist() == [WHOLE] * 4
+    # the same points where the sides stop are a face
+    axials = points @ axis
+    gone = (np.argmax(points @ UNIT.leg_directions.T, axis=1) == 2) & (axials > 0.7 * UNIT.leg_length)
+    assert leg_ends(LegView(np.vstack([points[~gone], rock]), UNIT, 0.004)).states[2] == BROKEN
+
+
 def test_nothing_is_said_of_an_end_that_is_not_seen() -> None:
     rng = np.random.default_rng(7)
     points, _, _ = sample_surface(UNIT, 6000, rng)
