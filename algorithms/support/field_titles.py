@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from ...core.results.schema import Field
-from ...core.results.unit_legs import LEG_NUMBERS
+from ...core.results.schema import LEG_NUMBERS, Field
 from .translation import tr
 
 UNIT_SIGNS = {"m2": "m²", "degrees": "°", "m/a": "m/a", "m": "m"}

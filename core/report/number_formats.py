@@ -60,6 +60,12 @@ def _name(value: object) -> str:
     return Markup("<wbr>").join(text[k : k + NAME_PART] for k in range(0, len(text), NAME_PART))
 
 
+def _name_cell(value: object) -> str:
+    """A cell of a table that holds a name: a short one stays on one line."""
+    cell = Markup('<td class="whole">{}</td>') if len(str(value)) <= LONG_NAME else Markup("<td>{}</td>")
+    return cell.format(_name(value))
+
+
 def number_formats(height: float) -> dict[str, Callable[[Any], str]]:
     """Filters by name, for units of a height H (metres): models of a tank move by tenths of a millimetre."""
     further = further_decimals(height)
@@ -75,5 +81,6 @@ def number_formats(height: float) -> dict[str, Callable[[Any], str]]:
         "p": _p,
         "day": _day,
         "name": _name,
+        "name_cell": _name_cell,
         "places": _places,
     }

@@ -15,6 +15,9 @@ FORMAT_VERSION = 1
 FEATURES = ("centre", "f123", "f124", "f134", "f234")
 """Feature points of a unit, in the order used everywhere (paper 2.4)."""
 
+LEG_NUMBERS = (1, 2, 3, 4)
+"""Legs of a unit as the names of their fields have them."""
+
 STATUSES = ("found", "uncertain", "new", "relocated", "lost", "unseen")
 """Values of ``units.status``; rows with ``lost`` and ``unseen`` have no geometry."""
 
@@ -156,11 +159,11 @@ LAYERS: dict[str, Layer] = {
                 Field("sigma0", "real", "standard deviation of unit weight of the adjustment"),
                 Field("n_points", "integer", "points used by the adjustment"),
                 Field("legs_visible", "integer", "legs that hold enough points to be seen"),
-                *(Field(f"leg{k}", "text", f"leg {k}: whole, broken (its end is gone) or unseen (as its end is)") for k in range(1, 5)),
+                *(Field(f"leg{k}", "text", f"leg {k}: whole, broken (its end is gone) or unseen (as its end is)") for k in LEG_NUMBERS),
                 Field("leg_missing", "real", "length missing of the most broken leg; empty where none is broken", "m"),
                 Field("leg_probability", "real", "probability that the leg most likely broken is, 0 to 1; empty where no end is seen"),
-                *(Field(f"leg{k}_missing", "real", f"length missing of leg {k}; empty where it is not broken", "m") for k in range(1, 5)),
-                *(Field(f"leg{k}_probability", "real", f"probability that leg {k} is broken; empty where unseen") for k in range(1, 5)),
+                *(Field(f"leg{k}_missing", "real", f"length missing of leg {k}; empty where it is not broken", "m") for k in LEG_NUMBERS),
+                *(Field(f"leg{k}_probability", "real", f"probability that leg {k} is broken; empty where unseen") for k in LEG_NUMBERS),
                 Field("coverage", "real", "share of the unit's surface that holds points, 0 to 1"),
                 Field(
                     "score",

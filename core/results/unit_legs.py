@@ -11,8 +11,8 @@ import numpy as np
 from ..common.arrays import FloatArray
 from ..model.outline import PlacedShape
 from .geopackage_reader import Row
+from .schema import LEG_NUMBERS
 
-LEG_NUMBERS = (1, 2, 3, 4)
 WHOLE, BROKEN, UNSEEN = "whole", "broken", "unseen"
 LEG_STATES = (WHOLE, BROKEN, UNSEEN)
 """Values of ``units.leg1`` to ``units.leg4``."""

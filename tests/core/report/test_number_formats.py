@@ -22,3 +22,8 @@ def test_long_names_may_be_broken_and_lose_no_letter() -> None:
 
 def test_no_probability_is_certain() -> None:
     assert [written("{{ value|probability }}", p) for p in (None, 0.0001, 0.62, 0.99999)] == ["–", "&lt; 0.1 %", "62.0 %", "&gt; 99.9 %"]
+
+
+def test_short_names_stay_on_one_line_of_their_cell() -> None:
+    assert written("{{ value|name_cell }}", "2025-03 a<b") == '<td class="whole">2025-03 a&lt;b</td>'
+    assert written("{{ value|name_cell }}", "north_breakwater_0042") == "<td>north_br<wbr>eakwater<wbr>_0042</td>"
