@@ -28,6 +28,7 @@ from ..core.model.unit_types import UnitType
 from ..core.pipeline.run_options import RunOptions
 from ..core.pipeline.whole_survey import run_survey
 from ..core.segmentation.scene import Scene
+from ..core.segmentation.sensor_places import Solids
 from ..core.segmentation.shared_noise import neighbours_share_noise
 from ..core.segmentation.smoothed_surface import smoothed
 from ..core.segmentation.surface_elements import surface_elements
@@ -94,6 +95,9 @@ def fit_a_unit() -> None:
     smoothed(points, elements, unit.height)
     scene = Scene.of(elements, unit, 2 * NOISE)
     poses_about_elements(scene, np.ones(len(elements.points), dtype=np.bool_), start.as_row()[None])
+    # one place tells of all of the survey's strips where the sensor stood: no unit is asked whether those of its neighbours will do
+    solids = Solids(start.as_row()[None], np.ones((1, 4), dtype=np.bool_), unit, NOISE)
+    solids.entered(0, points, (np.full((1, 3), 10 * unit.height), np.zeros((1, 3))), 0, one=True)
     thin_a_cloud(points)
 
 

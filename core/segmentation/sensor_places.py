@@ -21,7 +21,7 @@ from scipy.spatial import cKDTree
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.neighbourhood import build_grid
 from ..model.unit_types import UnitType
-from .beams import entering_beams
+from .beams import entering_beams, entering_beams_by_block
 
 STANDING = 0.6
 """Share of a leg that breaks leave."""
@@ -143,7 +143,8 @@ class Solids:
         centre = self.centres[number]
         near = self._tree.query_ball_point(centre, self.reach)
         about = self.centres[near] - centre, self.axes[near], self._lasts[near]
-        return np.asarray(entering_beams(points, *stands, *about, self.unit.reach, *(self._sharp if sharp else self.cone), most, one))
+        entering = entering_beams if one else entering_beams_by_block
+        return np.asarray(entering(points, *stands, *about, self.unit.reach, *(self._sharp if sharp else self.cone), most))
 
 
 class Source:
