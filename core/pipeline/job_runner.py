@@ -128,7 +128,9 @@ class JobRunner:
             # jobs that are tried again do not have it done again
             finished = self._in_processes(todo, cache(beside))
         else:
-            beside()
+            # here, too, the caller may use the cores of all workers, and no more
+            with threads_of_kernels(self.workers):
+                beside()
             finished = self._here(todo) if self.scheduler is None else self._on_cluster(todo)
         for _ in finished:
             done += 1

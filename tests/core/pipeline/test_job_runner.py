@@ -12,6 +12,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
+import numba
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -474,6 +475,13 @@ def test_the_callers_work_comes_first_where_jobs_run_here(tmp_path):
         # where everything is done as well
         runner.run([Waiting(0, str(mark))], beside=mark.touch)
         assert mark.exists()
+
+
+def test_the_callers_work_uses_no_more_cores_than_workers(tmp_path):
+    threads: list[int] = []
+    with JobRunner(tmp_path, workers=1) as runner:
+        runner.run([], beside=lambda: threads.append(numba.get_num_threads()))
+    assert threads == [1]
 
 
 def test_a_fault_of_the_callers_work_ends_the_processes(tmp_path):
