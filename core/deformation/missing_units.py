@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -23,7 +24,16 @@ from ..segmentation.leg_ends import LegEnds
 from ..segmentation.segment import FOUND_SCORE, MOST_IN_NOISE
 from ..segmentation.surface_elements import THINNING_RATIO, surface_noise
 from ..segmentation.verification import MOST_OVERLAP, overlap
-from .evidence_of_epochs import DOUBTED, SAME_PLACE_HEIGHTS, is_near, is_sparse_there, joint_score, score_at_rest, shown_there
+from .evidence_of_epochs import (
+    DOUBTED,
+    SAME_PLACE_HEIGHTS,
+    is_near,
+    is_sparse_there,
+    joint_score,
+    noise_taken_off,
+    score_at_rest,
+    shown_there,
+)
 from .fitted_unit import FittedUnit
 from .presence import FEWEST_POINTS, look_up, settled_on
 from .questions import Answer, Ask
@@ -84,6 +94,11 @@ class MissingUnits:
     reach: float
     height: float
 
+    @cached_property
+    def noises(self) -> tuple[float, float]:
+        """Of a point of either epoch where noise is taken off, metres, else 0: see :func:`.evidence_of_epochs.noise_taken_off`."""
+        return noise_taken_off(self.owners), noise_taken_off((*self.beside, *self.units))
+
     def answer(self) -> Answer:
         """By unit its ``state``, where it is (``centre``, ``rotation``) and its joint ``score``, not finite where that was not asked;
         ``points`` and ``sources`` of those that are there, each unit's from one of ``offsets`` to the next."""
@@ -121,9 +136,9 @@ class MissingUnits:
                 elif rival is not None or known.score < SURE_SCORE or not known.certain:
                     beside, both = shown_there(self.beside, known, move, near), (points[index], around)
                     if rival is None:
-                        score = joint_score(known, pose, near, beside, both, sparse)
+                        score = joint_score(known, known.pose.shifted(move), pose, near, beside, both, sparse, self.noises)
                     else:
-                        score, pose = score_at_rest(known, pose, rival.pose, near, beside, both, sparse)
+                        score, pose = score_at_rest(known, pose, rival.pose, near, beside, both, sparse, self.noises)
                         own = free[np.abs(distance_to_surface(pose.to_body(points[free]), known.shape)) < tolerance]
             scores.append(score)
             states.append(state)

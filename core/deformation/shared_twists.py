@@ -16,7 +16,7 @@ from ..common.arrays import FloatArray
 from ..model.pose import Pose
 from ..model.unit_types import UnitType
 from ..segmentation.segment import FOUND_SCORE
-from .evidence_of_epochs import score_with_twist, shown_there
+from .evidence_of_epochs import noise_of_both, noise_taken_off, score_with_twist, shown_there
 from .fitted_unit import FittedUnit
 from .identity import CONFIRM_MOVE_HEIGHTS, Track, nearest_labels
 from .missing_units import LOOK_UP_REACHES, Around, Surroundings
@@ -58,6 +58,7 @@ class OpenTwists:
         clouds = self.now()[0], self.before()[0]
         trees = [cKDTree(points) for points in clouds]
         places = np.array([owner.pose.centre for owner in self.owners]).reshape(-1, 3)
+        noise = noise_of_both((noise_taken_off(self.owners), noise_taken_off((*self.beside, *self.units))))
         scores, poses = [], []
         for known, move in zip(self.units, self.moves, strict=True):
             pose = known.pose.shifted(move)
@@ -67,7 +68,7 @@ class OpenTwists:
             )
             near = [self.owners[k] for k in np.flatnonzero(np.linalg.norm(places - pose.centre, axis=1) < 2 * self.reach)]
             beside = shown_there(self.beside, known, move, near)
-            score, pose = score_with_twist(pose, known.shape, [*near, *beside], np.vstack([now, before + move]))
+            score, pose = score_with_twist(pose, known.shape, [*near, *beside], np.vstack([now, before + move]), noise)
             scores.append(score)
             poses.append(pose.as_row())
         return {"score": np.array(scores), "pose": np.array(poses)}

@@ -81,8 +81,11 @@ def second_look(
     rich: bool = False,
     twist: bool = False,
     shared_noise: bool = False,
+    noise: float = 0.0,
 ) -> SecondLook | None:
     """Judge a (12,) pose by the (n, 3) points around it, reduced frame; None where these are rich: rock looks alike in all epochs then.
+
+    None too where noise is taken off the cloud, and they are too few for that.
 
     Parameters
     ----------
@@ -98,13 +101,17 @@ def second_look(
         Ask how far its turn about a leg is known, and turn it to the middle of what is left.
     shared_noise
         Whether neighbours are known to share their noise: of points of two epochs every other neighbour has its own.
+    noise
+        Of a point, metres, where it is known that it is taken off the cloud as a whole, else 0: few points look rich or sparse in any.
     """
     if len(points) < FEWEST_POINTS:
         return None
-    cloud = cloud_elements(points, unit, workers=1, shared_noise=shared_noise)
+    cloud = cloud_elements(points, unit, workers=1, shared_noise=shared_noise, noise=noise)
     points, elements, tolerance = cloud.points, cloud.elements, cloud.tolerance
     scene = Scene.of(elements, unit, tolerance)
     noisy = scene.smoothed or scene.shared_noise
+    if noise > 0 and not noisy:
+        return None
     poor = noisy or is_sparse(scene)
     if not (poor or rich):
         return None

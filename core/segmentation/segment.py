@@ -266,8 +266,14 @@ class CloudElements(NamedTuple):
     tolerance: float
 
 
-def cloud_elements(points: FloatArray, unit: UnitType, *, workers: int = -1, shared_noise: bool = False) -> CloudElements:
-    """Elements of (n, 3) points, reduced frame, metres; ``shared_noise`` says that neighbours are known to share theirs."""
+def cloud_elements(
+    points: FloatArray, unit: UnitType, *, workers: int = -1, shared_noise: bool = False, noise: float = 0.0
+) -> CloudElements:
+    """Elements of (n, 3) points, reduced frame, metres; ``shared_noise`` says that neighbours are known to share theirs.
+
+    ``noise``, where it is not 0, is that of a point of the whole cloud, of which it is known that it is taken off: a part of the cloud that
+    holds few points does not tell.
+    """
     thinned = surface_elements(points, unit.height, workers=workers)
     kept = innermost_layer(points, thinned.points, unit.height, surely=True)
     if kept is None or np.count_nonzero(kept) < FEWEST_POINTS:
@@ -281,6 +287,8 @@ def cloud_elements(points: FloatArray, unit: UnitType, *, workers: int = -1, sha
         shared_noise or neighbours_share_noise(points, thinned.points, unit.height, thinned.noise)
     ):
         elements = replace(thinned, shared_noise=True)
+    elif noise > 0:
+        elements = smoothed(points, replace(thinned, noise=noise), unit.height, part=True)
     elif tolerance > NOISY_RATIO * unit.height:
         elements = smoothed(points, thinned, unit.height)
     return CloudElements(kept, points, thinned, elements, max(2.5 * elements.element_noise, 0.008 * unit.height))

@@ -48,10 +48,11 @@ RIDGE, TINY = 1e-4, 1e-12
 of its own."""
 
 
-def smoothed(points: FloatArray, elements: SurfaceElements, height: float) -> SurfaceElements:
+def smoothed(points: FloatArray, elements: SurfaceElements, height: float, *, part: bool = False) -> SurfaceElements:
     """Elements of (n, 3) raw points on the surface that these share; ``elements`` are those of thinning, ``height`` the unit's, metres.
 
-    The elements as they are where patches hold too few points for a surface of their own.
+    The elements as they are where patches hold too few points for a surface of their own: most of a cloud, but all of a ``part`` of one, a
+    place that may show little of what is smoothed elsewhere.
     """
     radius = RADIUS_RATIO * height
     grid = build_grid(points, 0.5 * radius)
@@ -62,9 +63,10 @@ def smoothed(points: FloatArray, elements: SurfaceElements, height: float) -> Su
         patches = np.full((len(places), 10), np.nan)
         passes = partial(_patches, points=points, every=every, places=places, radius=radius, noise=elements.noise, grid=grid, out=patches)
         in_parts(passes, len(places))
-        if np.median(patches[:, 9]) < ENOUGH_POINTS:
+        kept = np.isfinite(patches[:, 0])
+        if not np.any(kept) or (not part and np.median(patches[:, 9]) < ENOUGH_POINTS):
             return elements
-        patches = patches[np.isfinite(patches[:, 0])]
+        patches = patches[kept]
         places = np.ascontiguousarray(patches[:, :3])
     normals, curved = senses(patches[:, 3:6], patches[:, 6], patches[:, 7], height)
     return SurfaceElements(

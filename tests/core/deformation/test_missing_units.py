@@ -135,6 +135,35 @@ def test_rich_points_speak_against_what_chance_aligned() -> None:
     assert np.isnan(asked(again, rich, owners, score=0.8)["score"][0])
 
 
+def among_noise(rng: np.random.Generator, noise: float) -> tuple[FittedUnit, ...]:
+    """Neighbours of which one shows the noise of the cloud, metres."""
+    _, (first, *others) = noisy_pile(rng)
+    return fitted(first.pose, seen_from_above(first.pose, rng, 2500, noise).points), *others
+
+
+def test_few_points_are_judged_as_their_cloud_is() -> None:
+    """Noise is taken off a place that shows too little to tell: where a unit beside it shows that it is taken off the cloud."""
+    rng = np.random.default_rng(21)
+    noise = 0.021 * UNIT.height
+    owners = among_noise(rng, noise)
+    before, now = (seen_from_above(POSE, rng, 300, noise).points for _ in range(2))
+    assert asked(now, before, owners, score=0.6, certain=False, beside=owners)["score"][0] > 0.9
+    bed = np.column_stack([rng.uniform(-1.2, 1.2, (700, 2)), rng.normal(0.55, noise, 700)])
+    own = bed[np.abs(relate(POSE.to_body(bed), UNIT).distance) < 0.1]
+    assert asked(bed, own, owners, score=0.7, beside=owners)["score"][0] < 0.1
+
+
+def test_what_moved_is_laid_together_as_it_moved() -> None:
+    """As if it rested the points of both epochs fit no one pose."""
+    rng = np.random.default_rng(22)
+    noise = 0.013 * UNIT.height
+    owners = among_noise(rng, noise)
+    turn = Rotation.from_rotvec(np.radians([4.8, 0.0, 6.4])).as_matrix()
+    moved = Pose(POSE.centre + np.array([0.05, 0.05, -0.04]) * UNIT.height, POSE.rotation @ turn)
+    before, now = (seen_from_above(pose, rng, 1500, noise).points for pose in (POSE, moved))
+    assert asked(now, before, owners, score=0.84, beside=owners)["score"][0] > 0.9
+
+
 def test_noisy_points_say_whether_a_unit_rests_that_was_found_elsewhere() -> None:
     rng = np.random.default_rng(5)
     points, owners = noisy_pile(rng)
