@@ -15,6 +15,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
@@ -22,8 +23,10 @@ from scipy.special import fdtri, gammaln
 
 from ..common.arrays import BoolArray, FloatArray, IntArray
 from ..common.centreline import ARM_HEIGHTS, centreline
+from ..common.kernels import kernel
 from ..common.noncentrality import noncentrality
-from ..common.robust import t_weights
+from ..common.positive_definite import factorise, solve_factorised
+from ..common.robust import CHI2_3_MEDIAN
 from ..registration.frame_field import FieldEstimate
 from .congruence import Congruence, pooled_degrees, quadratic
 from .displacement import POWER, SIGNIFICANCE, adjusted_p_values
@@ -51,6 +54,8 @@ OVERLAP = 2.0
 """Stretches that show the same ground."""
 MOST_ANEW = 500
 """Unknowns of a field up to which it is adjusted anew without each stretch: of a longer coast the stretch is taken out of what is known."""
+ROBUST_STEPS = 8
+"""Times that weights and mean follow from each other."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -239,7 +244,7 @@ def _between_stretches(others: Sequence[_MeanMotion]) -> tuple[float, float]:
         median = 3 * float(fdtri(3, tail, 0.5))
 
         def misfit(variance: float, median: float = median) -> float:
-            return float(np.median(quadratic(motions, covariances + variance * np.eye(3)))) - median
+            return float(_median_form(motions, covariances, variance)) - median
 
         variance = float(brentq(misfit, 0.0, largest)) if misfit(0.0) > 0 else 0.0
         total = covariances + variance * np.eye(3)
@@ -310,14 +315,59 @@ def _adjusted_without(units: JudgedUnits, own: IntArray, elastic: ElasticDatum) 
 
 def _robust_mean(values: FloatArray, covariances: FloatArray, height: float) -> tuple[FloatArray, FloatArray]:
     """Mean of (k, 3) values that units which moved on their own do not pull, and its covariance."""
-    centre = np.median(values, axis=0)
     # what units differ by beyond their covariances counts for the weights; the mean's own covariance is told by the values themselves
-    inverse = np.linalg.inv(covariances + (0.002 * height) ** 2 * np.eye(3))
-    for _ in range(8):
-        residual = values - centre
-        weights, _ = t_weights(np.einsum("ni,nij,nj->n", residual, inverse, residual))
-        weighted = inverse * weights[:, None, None]
-        cofactor = np.linalg.inv(weighted.sum(axis=0))
-        centre = cofactor @ np.einsum("nij,nj->i", weighted, values)
-    _, size = t_weights(np.einsum("ni,nij,nj->n", residual, np.linalg.inv(covariances), residual))
-    return centre, size * cofactor @ np.einsum("nij,njk,nkl->il", weighted, covariances, weighted) @ cofactor
+    rough = covariances + (0.002 * height) ** 2 * np.eye(3)
+    centre, residual, weighted, cofactor = _reweighted(values, np.linalg.inv(rough), np.median(values, axis=0))
+    size = max(float(np.median(quadratic(residual, covariances))) / CHI2_3_MEDIAN, 1.0)
+    return centre, size * cofactor @ np.sum(weighted @ covariances @ weighted, axis=0) @ cofactor
+
+
+@kernel()
+def _reweighted(values: Any, inverse: Any, centre: Any) -> Any:
+    """Mean of (k, 3) values with (k, 3, 3) weights, from a first one (3,) on: each value weighs less the farther it lies
+    (:func:`..common.robust.t_weights`).
+
+    Beside it the values less the mean before the last step (k, 3), their weights in that step (k, 3, 3), and the inverse of the sum of
+    these (3, 3).
+    """
+    count = len(values)
+    forms, residual, weighted = np.empty(count), np.empty((count, 3)), np.empty((count, 3, 3))
+    cofactor = np.eye(3)
+    for _ in range(ROBUST_STEPS):
+        for n in range(count):
+            residual[n] = values[n] - centre
+            forms[n] = 0.0
+            for a in range(3):
+                for b in range(3):
+                    forms[n] += residual[n, a] * inverse[n, a, b] * residual[n, b]
+        size = max(np.median(forms) / CHI2_3_MEDIAN, 1.0)
+        total, side = np.zeros((3, 3)), np.zeros(3)
+        for n in range(count):
+            weighted[n] = inverse[n] / (1 + forms[n] / (3 * size)) ** 2
+            for a in range(3):
+                for b in range(3):
+                    total[a, b] += weighted[n, a, b]
+                    side[a] += weighted[n, a, b] * values[n, b]
+        factorise(total)
+        cofactor = np.eye(3)
+        for a in range(3):
+            solve_factorised(total, cofactor[a])
+        centre = cofactor @ side
+    return centre, residual, weighted, cofactor
+
+
+@kernel()
+def _median_form(vectors: Any, covariances: Any, variance: float) -> float:
+    """Median of the quadratic forms of (n, 3) vectors in the inverse of their (n, 3, 3) covariances, each with a ``variance`` more."""
+    forms, factor, white = np.empty(len(vectors)), np.empty((3, 3)), np.empty(3)
+    for n in range(len(vectors)):
+        factor[:] = covariances[n]
+        white[:] = vectors[n]
+        for a in range(3):
+            factor[a, a] += variance
+        factorise(factor)
+        solve_factorised(factor, white)
+        forms[n] = 0.0
+        for a in range(3):
+            forms[n] += vectors[n, a] * white[a]
+    return float(np.median(forms))

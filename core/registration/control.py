@@ -250,18 +250,12 @@ def _check_axes(surveyed: FloatArray, measured: FloatArray, noise: float, contro
     axes = ("easting", "northing", "height")
     size = float(np.sqrt(np.mean(np.sum((surveyed - surveyed.mean(axis=0)) ** 2, axis=1))))
     tolerance = AXES_TOLERANCE * noise + SCALE_TOLERANCE * size
-    found: list[tuple[float, float, tuple[int, ...]]] = []
-    for order in itertools.permutations(range(3)):
-        moved = surveyed[:, order]
-        x, y = measured - np.median(measured, axis=0), moved - np.median(moved, axis=0)
-        rotation, _ = closed_form(x, y, np.ones(len(x)), False)
-        misfit = (x - x.mean(axis=0)) @ rotation.T - (y - y.mean(axis=0))
-        tilt = math.degrees(math.acos(float(np.clip(rotation[2, 2], -1, 1))))
-        found.append((float(np.median(np.linalg.norm(misfit, axis=1))), tilt, order))
-    given_misfit, given_tilt, _ = found[0]
+    given, *others = itertools.permutations(range(3))
+    given_misfit, given_tilt, _ = _fit_of_columns(surveyed, measured, given)
     if given_misfit <= tolerance and given_tilt < 45:
         return
-    upright = [f for f in found[1:] if f[0] <= tolerance and f[1] < 45]
+    found = [_fit_of_columns(surveyed, measured, order) for order in others]
+    upright = [f for f in found if f[0] <= tolerance and f[1] < 45]
     if upright:
         order = min(upright)[2]
         columns = ", ".join(f"{axes[k]} holds {axes[order.index(k)]}" for k in range(3) if order[k] != k)
@@ -281,6 +275,16 @@ def _check_axes(surveyed: FloatArray, measured: FloatArray, noise: float, contro
         source=control.source,
         remedy="Check that point_ids name the same targets, that units and CRS agree (control_crs, control_unit), and the epoch.",
     )
+
+
+def _fit_of_columns(surveyed: FloatArray, measured: FloatArray, order: tuple[int, ...]) -> tuple[float, float, tuple[int, ...]]:
+    """Median misfit in metres and tilt in degrees of points whose surveyed columns are taken in some order, and this order."""
+    moved = surveyed[:, order]
+    x, y = measured - np.median(measured, axis=0), moved - np.median(moved, axis=0)
+    rotation, _ = closed_form(x, y, np.ones(len(x)), False)
+    misfit = (x - x.mean(axis=0)) @ rotation.T - (y - y.mean(axis=0))
+    tilt = math.degrees(math.acos(float(np.clip(rotation[2, 2], -1, 1))))
+    return float(np.median(np.linalg.norm(misfit, axis=1))), tilt, order
 
 
 def _name(source: Path | None) -> str:

@@ -53,8 +53,7 @@ def weighted_fit(surveyed: FloatArray, measured: FloatArray, variances: FloatArr
     """
     weights = np.where(used[:, None], 1 / variances, 0.0)
     mean_weight = weights.mean(axis=1)
-    origin_from = np.average(measured, axis=0, weights=mean_weight)
-    origin_to = np.average(surveyed, axis=0, weights=mean_weight)
+    origin_from, origin_to = _weighted_mean(measured, mean_weight), _weighted_mean(surveyed, mean_weight)
     x, y = measured - origin_from, surveyed - origin_to
     rotation, scale = closed_form(x[used], y[used], mean_weight[used], similarity)
     free = 7 if similarity else 6
@@ -90,7 +89,12 @@ def weighted_fit(surveyed: FloatArray, measured: FloatArray, variances: FloatArr
 
 def closed_form(x: FloatArray, y: FloatArray, weights: FloatArray, similarity: bool) -> tuple[FloatArray, float]:
     """Rotation and scale of reduced points."""
-    x, y = x - np.average(x, axis=0, weights=weights), y - np.average(y, axis=0, weights=weights)
+    x, y = x - _weighted_mean(x, weights), y - _weighted_mean(y, weights)
     rotation, values = closest_rotation((y * weights[:, None]).T @ x)
     scale = float(np.sum(values) / np.sum(weights * np.sum(x**2, axis=1))) if similarity else 1.0
     return rotation, scale
+
+
+def _weighted_mean(places: FloatArray, weights: FloatArray) -> FloatArray:
+    """(3,) mean of (n, 3) places; numpy's takes longer than all else here to look at what it is given."""
+    return np.asarray((places * weights[:, None]).sum(axis=0) / weights.sum())
