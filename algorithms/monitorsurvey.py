@@ -23,6 +23,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QStandardPaths
 
+from ..core.common.output_locks import clear_lock
 from ..core.review.point_index import kept_survey
 from .base import Texts
 from .support.inputs import (
@@ -54,6 +55,9 @@ from .support.layers import DRAWING_ORDER, epoch_spans, load_on_completion, set_
 from .support.point_files import FILE_COLUMNS
 from .support.translation import tr
 from .survey_algorithm import SurveyAlgorithm, creation_date
+
+SECONDS_OF_COPIES = 0.5
+"""How long workers may outlive an engine that was killed."""
 
 
 class MonitorSurvey(SurveyAlgorithm):
@@ -190,6 +194,8 @@ class MonitorSurvey(SurveyAlgorithm):
             # the engine itself writes the file whole or not at all, and keeps the reviews of an earlier result of that name
             found = self.run_engine(["run", str(survey), "--output", str(target), "--workers", workers], feedback, 0, last)
             if found is None:
+                # an engine that did not heed was killed, and left it
+                clear_lock(target.absolute(), SECONDS_OF_COPIES)
                 return {}
             reliefs: list[tuple[str, str]] = []
             if last < 100:

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from tetratrack.core.common.errors import InputError, OutputError, TetratrackError
 from tetratrack.core.common.feedback import Feedback
+from tetratrack.core.common.output_locks import clear_lock
 from tetratrack.core.pipeline.array_files import load_arrays, save_arrays
 from tetratrack.core.pipeline.job_runner import check_scheduler
 from tetratrack.core.pipeline.run_options import RunOptions, job_runner
@@ -99,6 +100,32 @@ def test_the_lock_lies_beside_the_output_and_outlives_nobody(tmp_path: Path) -> 
     assert not lock.exists() or os.name != "posix"
     with _second_run(output):
         pass
+
+
+HOLDER = """
+import sys, time
+from pathlib import Path
+from tetratrack.core.common.output_locks import sole_writer
+
+with sole_writer(Path(sys.argv[1])):
+    print("held", flush=True)
+    time.sleep(100)
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="the lock stays where Windows has it")
+def test_the_lock_of_a_killed_run_is_taken_away_and_a_held_one_stays(tmp_path: Path) -> None:
+    output, lock = tmp_path / "r.gpkg", tmp_path / "r.gpkg.lock"
+    with subprocess.Popen([sys.executable, "-c", HOLDER, str(output)], stdout=subprocess.PIPE, text=True) as holder:
+        assert holder.stdout is not None
+        assert holder.stdout.readline() == "held\n"
+        clear_lock(output, 0.1)
+        assert lock.exists()
+        holder.kill()
+    clear_lock(output, 10.0)
+    assert list(tmp_path.iterdir()) == []
+    clear_lock(output, 10.0)
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.skipif(os.name != "posix", reason="links as POSIX has them")

@@ -30,6 +30,7 @@ from qgis.PyQt.QtCore import QByteArray, Qt
 from qgis.PyQt.QtGui import QImage, QPainter
 from qgis.PyQt.QtSvg import QSvgRenderer
 from tetratrack.algorithms.provider import ALGORITHMS, TetratrackProvider
+from tetratrack.algorithms.support import engine as engine_support
 from tetratrack.algorithms.support.field_titles import field_alias
 from tetratrack.algorithms.support.inputs import epoch_time
 from tetratrack.algorithms.support.layers import apply_style, has_style
@@ -440,7 +441,16 @@ def test_shipped_model_runs_the_chain(
     assert QgsVectorLayer(str(tmp_path / "check_residuals.gpkg"), "check", "ogr").featureCount() > 0
 
 
-def test_cancel_leaves_nothing(tmp_path: Path, repository: Path, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
+@pytest.mark.parametrize("grace", [engine_support.CANCEL_GRACE_MILLISECONDS, 0], ids=["heeded", "killed"])
+def test_cancel_leaves_nothing(
+    grace: int,
+    tmp_path: Path,
+    repository: Path,
+    context: QgsProcessingContext,
+    feedback: QgsProcessingFeedback,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(engine_support, "CANCEL_GRACE_MILLISECONDS", grace)
     started = time.monotonic()
     original = feedback.isCanceled
     feedback.isCanceled = lambda: time.monotonic() - started > 2.0 or original()
