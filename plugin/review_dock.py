@@ -106,11 +106,12 @@ class ReviewDock(QgsDockWidget):
         self.start.footprints.clear()
         # the new store shows all units; with none open the filters tell nobody
         self.filters.clear()
-        self.store = store
+        # while it opens its layers the window draws itself, as one without a result
+        review_map = ReviewMap(store, self.canvas, self.project, self)
+        self.store, self.map = store, review_map
         self.model = self.table.show_store(store)
         self.tabs.show_store(store)
         store.observe(self._on_store)
-        self.map = ReviewMap(store, self.canvas, self.project, self)
         self.map.filtered = self.filters.on_map.isChecked()
         self.map.vanished.connect(self._layers_vanished)
         self.corrections = ReviewCorrections(self.map, self.tabs, self.decisions, self.status, self.start_engine)
