@@ -170,7 +170,7 @@ def _has_moved(rest: Pose, place: Pose, shape: UnitType) -> bool:
 
 
 def _moved_with(pose: Pose, moved: Pose, shape: UnitType, others: Sequence[FittedUnit], points: FloatArray) -> FloatArray:
-    """(n, 3) points where they are once a unit has moved from one pose to another one: those that are of no other unit with it."""
+    """(n, 3) points where they are once a unit has moved between two poses: those that are of no other unit of its type with it."""
     rows = np.array([one.pose.as_row() for one in others if one.shape == shape]).reshape(-1, 12)
     owner, _ = assign(points, np.vstack([rows, pose.as_row()]), shape, MOVES_WITH_HEIGHTS * shape.height)
     with_it = (owner < 0) | (owner == len(rows))

@@ -26,7 +26,7 @@ from ..common.centreline import ARM_HEIGHTS, centreline
 from ..common.kernels import kernel
 from ..common.noncentrality import noncentrality
 from ..common.positive_definite import factorise, solve_factorised
-from ..common.robust import CHI2_3_MEDIAN
+from ..common.robust import CHI2_3_MEDIAN, t_weights
 from ..registration.frame_field import FieldEstimate
 from .congruence import Congruence, pooled_degrees, quadratic
 from .displacement import POWER, SIGNIFICANCE, adjusted_p_values
@@ -318,7 +318,7 @@ def _robust_mean(values: FloatArray, covariances: FloatArray, height: float) -> 
     # what units differ by beyond their covariances counts for the weights; the mean's own covariance is told by the values themselves
     rough = covariances + (0.002 * height) ** 2 * np.eye(3)
     centre, residual, weighted, cofactor = _reweighted(values, np.linalg.inv(rough), np.median(values, axis=0))
-    size = max(float(np.median(quadratic(residual, covariances))) / CHI2_3_MEDIAN, 1.0)
+    _, size = t_weights(quadratic(residual, covariances))
     return centre, size * cofactor @ np.sum(weighted @ covariances @ weighted, axis=0) @ cofactor
 
 
@@ -335,17 +335,19 @@ def _reweighted(values: Any, inverse: Any, centre: Any) -> Any:
     cofactor = np.eye(3)
     for _ in range(ROBUST_STEPS):
         for n in range(count):
-            residual[n] = values[n] - centre
             forms[n] = 0.0
+            for a in range(3):
+                residual[n, a] = values[n, a] - centre[a]
             for a in range(3):
                 for b in range(3):
                     forms[n] += residual[n, a] * inverse[n, a, b] * residual[n, b]
         size = max(np.median(forms) / CHI2_3_MEDIAN, 1.0)
         total, side = np.zeros((3, 3)), np.zeros(3)
         for n in range(count):
-            weighted[n] = inverse[n] / (1 + forms[n] / (3 * size)) ** 2
+            less = (1 + forms[n] / (3 * size)) ** 2
             for a in range(3):
                 for b in range(3):
+                    weighted[n, a, b] = inverse[n, a, b] / less
                     total[a, b] += weighted[n, a, b]
                     side[a] += weighted[n, a, b] * values[n, b]
         factorise(total)
@@ -361,10 +363,11 @@ def _median_form(vectors: Any, covariances: Any, variance: float) -> float:
     """Median of the quadratic forms of (n, 3) vectors in the inverse of their (n, 3, 3) covariances, each with a ``variance`` more."""
     forms, factor, white = np.empty(len(vectors)), np.empty((3, 3)), np.empty(3)
     for n in range(len(vectors)):
-        factor[:] = covariances[n]
-        white[:] = vectors[n]
         for a in range(3):
+            for b in range(3):
+                factor[a, b] = covariances[n, a, b]
             factor[a, a] += variance
+            white[a] = vectors[n, a]
         factorise(factor)
         solve_factorised(factor, white)
         forms[n] = 0.0

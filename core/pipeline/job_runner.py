@@ -127,11 +127,14 @@ class JobRunner:
         if self.scheduler is None and self.workers > 1 and len(todo) > 1:
             # jobs that are tried again do not have it done again
             finished = self._in_processes(todo, cache(beside))
-        else:
+        elif self.scheduler is None:
             # here, too, the caller may use the cores of all workers, and no more
             with threads_of_kernels(self.workers):
                 beside()
-            finished = self._here(todo) if self.scheduler is None else self._on_cluster(todo)
+            finished = self._here(todo)
+        else:
+            beside()
+            finished = self._on_cluster(todo)
         for _ in finished:
             done += 1
             progress(done, len(jobs))

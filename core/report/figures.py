@@ -52,7 +52,7 @@ def drawn_as_uri(figure: Figure) -> str:
         text.set_parse_math(False)
     _lay_out(figure)
     # or saving would lay out anew and draw twice
-    figure.set_layout_engine(None)
+    figure.set_layout_engine("none")
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", metadata={"Software": None})
     return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode('ascii')}"

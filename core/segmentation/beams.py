@@ -186,7 +186,7 @@ def entering_beams_by_block(
     chord: float,
     most: int,
 ) -> IntArray:
-    """As :func:`entering_beams` of all stands, none of them the origin, in half the time or less."""
+    """As :func:`entering_beams` of all stands, none of them the origin, in about half the time."""
     order = _by_direction(stands)
     counts = np.empty(len(stands), dtype=np.int64)
     counts[order] = _entered(points, (stands[order], drifts[order]), (centres, axes, lasts), reach, (radius, gradient, chord), most, BLOCK)

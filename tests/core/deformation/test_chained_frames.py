@@ -192,7 +192,7 @@ def test_a_long_coast_holds_few_matrices_of_all_unknowns_at_a_time() -> None:
     finally:
         tracemalloc.stop()
     assert basis.size > 500
-    np.testing.assert_array_equal(known.covariance, known.covariance.T)
+    assert np.array_equal(known.covariance, known.covariance.T)
     # the covariance takes the place of the normal matrix; with it stay its product with what is added, a copy, and their symmetric part
     assert estimated < 1.7 * matrix
     assert informed < 5.5 * matrix

@@ -26,4 +26,5 @@ def test_no_probability_is_certain() -> None:
 
 def test_short_names_stay_on_one_line_of_their_cell() -> None:
     assert written("{{ value|name_cell }}", "2025-03 a<b") == '<td class="whole">2025-03 a&lt;b</td>'
+    assert [written("{{ value|name_cell }}", n * "a").startswith('<td class="whole">') for n in (16, 17)] == [True, False]
     assert written("{{ value|name_cell }}", "north_breakwater_0042") == "<td>north_br<wbr>eakwater<wbr>_0042</td>"
