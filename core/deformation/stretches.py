@@ -238,13 +238,16 @@ def _between_stretches(others: Sequence[_MeanMotion]) -> tuple[float, float]:
         return 0.0, NO_OTHERS
     motions = np.array([mean.motion for mean in others])
     covariances = np.array([mean.cofactor + mean.frame for mean in others])
+    # a variance alike in all directions is added to that of each axis
+    variances, axes = np.linalg.eigh(covariances)
+    squares = np.einsum("na,nab->nb", motions, axes) ** 2
     largest = float(np.max(np.sum(motions**2, axis=1)))
     best, found = -math.inf, (0.0, NO_OTHERS)
     for tail in TAILS:
         median = 3 * float(fdtri(3, tail, 0.5))
 
         def misfit(variance: float, median: float = median) -> float:
-            return float(_median_form(motions, covariances, variance)) - median
+            return float(np.median(np.sum(squares / (variances + variance), axis=1))) - median
 
         variance = float(brentq(misfit, 0.0, largest)) if misfit(0.0) > 0 else 0.0
         total = covariances + variance * np.eye(3)
@@ -356,21 +359,3 @@ def _reweighted(values: Any, inverse: Any, centre: Any) -> Any:
             solve_factorised(total, cofactor[a])
         centre = cofactor @ side
     return centre, residual, weighted, cofactor
-
-
-@kernel()
-def _median_form(vectors: Any, covariances: Any, variance: float) -> float:
-    """Median of the quadratic forms of (n, 3) vectors in the inverse of their (n, 3, 3) covariances, each with a ``variance`` more."""
-    forms, factor, white = np.empty(len(vectors)), np.empty((3, 3)), np.empty(3)
-    for n in range(len(vectors)):
-        for a in range(3):
-            for b in range(3):
-                factor[a, b] = covariances[n, a, b]
-            factor[a, a] += variance
-            white[a] = vectors[n, a]
-        factorise(factor)
-        solve_factorised(factor, white)
-        forms[n] = 0.0
-        for a in range(3):
-            forms[n] += vectors[n, a] * white[a]
-    return float(np.median(forms))
