@@ -45,9 +45,9 @@ DOORS = ("feedback", "result_tables", "reviews", "run_options", "survey", "workf
 
 # modules of core that QGIS's process may load; `model.*` means every module of the package
 INSIDE_QGIS = (
-    "common.errors common.arrays common.atomic_files common.csv_text common.input_files common.output_files common.paths "
-    "common.registration_records common.robust common.rotations common.sqlite_files common.virtual_clouds model.* results.* review.* "
-    "report.alarms report.result_choice"
+    "common.errors common.arrays common.atomic_files common.csv_text common.input_files common.output_files common.output_locks "
+    "common.paths common.registration_records common.robust common.rotations common.sqlite_files common.virtual_clouds "
+    "model.* results.* review.* report.alarms report.result_choice"
 )
 
 # what must never be loaded there: a second copy of what QGIS brings breaks QGIS
