@@ -41,10 +41,10 @@ LEAST_POINTS = 8
 NARROW_EVIDENCE, BEYOND_NARROW = 3.0, 1.5
 """The most that points inside a leg say which reach too few sectors (log-likelihood ratio), and evidence of beams through its end from
 which they are asked: a neighbour or a pose that errs puts points into some sectors, too, but of 186 whole legs beams say 1.0 at most."""
-MOST_WITHIN_SIDES = math.log(10000.0)
-"""The most that points inside a leg say whose sides go on to its end (assumed: a move may push a leg into rock). Of 1551 whole legs of
-fourteen simulated surveys none had such points, on `long_coast` one; of 119 broken ones with a face eight had a side that goes on, which
-says -2.7 to -3.9."""
+MOST_WITHIN_SIDES = math.log(1000.0)
+"""The most that points inside a leg say one of whose sides goes on to its end (assumed: a move may push a leg into rock). Of 119 broken
+legs of fourteen simulated surveys that show a face eight had such a side, and others that stop short of the end; of 1551 whole ones none
+had points inside, on `long_coast` one, and all its sides go on."""
 MOST_DISC = 3
 """Times as many points about an end's plane as count show its disc: fewer may be of what lies beyond a break."""
 SHOWN, STRAY = 0.35, 0.03
@@ -213,11 +213,11 @@ class LegView:
         if face < LEAST_POINTS or len(np.unique(self.sector[inside])) < LEAST_SECTORS:
             face = 0.0
         disc = float(np.sum(own & (np.abs(self.axial - unit.leg_length) < self.tolerance) & (self.outside < -self.tolerance)))
-        sides = self._sides_that_go_on(on_side, shaft) if sided else 0.0
+        sides, stops = self._sides_to_the_end(on_side, shaft) if sided else (0.0, 0.0)
         if face:
             evidence = INDEPENDENT * (_support(face, density * section) - _support(disc, density * section))
             if sides:
-                evidence = min(evidence, MOST_WITHIN_SIDES) + sides
+                evidence = min(evidence, MOST_WITHIN_SIDES) + sides + stops
             return PRIOR_ODDS + evidence, float(np.median(self.axial[inside]))
         if not sided:
             return math.nan, 0.0
@@ -228,17 +228,18 @@ class LegView:
             return PRIOR_ODDS - support, 0.0
         return math.nan, 0.0
 
-    def _sides_that_go_on(self, on_side: BoolArray, shaft: FloatArray) -> float:
-        """Log-likelihood ratio of a break by sides that go on to the end, 0 where none does.
+    def _sides_to_the_end(self, on_side: BoolArray, shaft: FloatArray) -> tuple[float, float]:
+        """Log-likelihood ratios of a break by sides that go on to the end, 0 where none does, and by those that stop short of it.
 
-        A side that stops may lie in the shadow of a neighbour: it proves nothing; one that goes on to the tip and stops there may end where
-        the leg breaks.
+        A side that stops may lie in the shadow of a neighbour: by itself it proves nothing; one that goes on to the tip and stops there may
+        end where the leg breaks.
         """
         tip, end = (self._side_support(on_side, part, shaft) for part in (TIP, END))
+        stops = -INDEPENDENT * float(np.minimum(end, 0.0).sum())
         if tip.sum() <= 0 or end.sum() <= 0:
-            return 0.0
+            return 0.0, stops
         # an oblique break may leave one side as long
-        return max(-INDEPENDENT * float(tip.sum()), math.log(left_by_breaks(self.unit, tuple(end > 0))))
+        return max(-INDEPENDENT * float(tip.sum()), math.log(left_by_breaks(self.unit, tuple(end > 0)))), stops
 
     def _side_support(self, on_side: BoolArray, part: tuple[float, float], shaft: FloatArray) -> FloatArray:
         """(SECTORS,) log-likelihood ratios of a part of a leg's side being there; 0 in sectors that hide its ``shaft`` (SECTORS,)."""
