@@ -12,8 +12,10 @@ import sqlite3
 from contextlib import closing
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -77,7 +79,26 @@ def write_result(
     path: Path, count: int = 120, epochs: int = 3, seed: int = 1, units: list[SyntheticUnit] | None = None
 ) -> list[SyntheticUnit]:
     """Write a result of ``count`` units and return their truth."""
-    made = make_units(count, epochs, seed) if units is None else units
+    if units is not None:
+        _write(path, _rows_of_result(units, epochs, seed))
+        return units
+    made, content = _drawn_result(count, epochs, seed)
+    path.write_bytes(content)
+    return list(made)
+
+
+@cache
+def _drawn_result(count: int, epochs: int, seed: int) -> tuple[tuple[SyntheticUnit, ...], bytes]:
+    """Truth and file of a drawn result: dozens of tests begin with the same one."""
+    made = make_units(count, epochs, seed)
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "result.gpkg"
+        _write(path, _rows_of_result(made, epochs, seed))
+        return tuple(made), path.read_bytes()
+
+
+def _rows_of_result(made: list[SyntheticUnit], epochs: int, seed: int) -> dict[str, list[dict[str, Any]]]:
+    """Rows of every layer."""
     labels = [f"{2023 + k}-04-09" for k in range(epochs)]
     times = [datetime(2023, 4, 9, 2, 30, tzinfo=UTC) + timedelta(days=365 * k) for k in range(epochs)]
     stamps = [t.strftime("%Y-%m-%dT%H:%M:%S.000Z") for t in times]
@@ -130,8 +151,7 @@ def write_result(
                 "settings": json.dumps(settings),
             }
         )
-    _write(path, rows)
-    return made
+    return rows
 
 
 def features_of(unit: SyntheticUnit, epoch: int) -> np.ndarray:

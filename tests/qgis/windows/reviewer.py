@@ -1,4 +1,4 @@
-"""One of two windows on the same result: decides or corrects (TETRATRACK_ROLE) 200 times with the dock's own buttons."""
+"""One of two windows on the same result: decides or corrects (TETRATRACK_ROLE) TETRATRACK_ACTS times with the dock's own buttons."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from qgis.PyQt.QtWidgets import QAction, QToolButton
 from steps import action, click, plugin, run, until, wait
 
-ACTS = 200
+ACTS = int(os.environ["TETRATRACK_ACTS"])
 RESULT, ROLE, MEETING = Path(os.environ["TETRATRACK_RESULT"]), os.environ["TETRATRACK_ROLE"], Path(os.environ["TETRATRACK_MEETING"])
 OTHER = {"deciding": "correcting", "correcting": "deciding"}[ROLE]
 
