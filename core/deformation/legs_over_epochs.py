@@ -24,7 +24,9 @@ def legs_over_epochs(seen: Mapping[int, LegEnds]) -> dict[int, LegEnds]:
     """State of a unit's legs in the epochs that show it, by epoch; legs numbered alike in all of them.
 
     A leg is broken where the epochs together say so, also in an epoch that does not show its end; its missing length is that of the epoch
-    itself, or of the one that shows the break best. A leg that no epoch calls broken is unseen where its end is not seen.
+    itself, or of the one that shows the break best. A leg that no epoch calls broken is unseen where its end is not seen. What speaks for
+    a break of a leg that an epoch takes for whole is there for another reason, as rock that the leg was pushed into, in all such epochs the
+    same: it counts once.
     """
     epochs = sorted(seen)
     if len(epochs) < 2:
@@ -32,6 +34,8 @@ def legs_over_epochs(seen: Mapping[int, LegEnds]) -> dict[int, LegEnds]:
     evidence = np.array([seen[e].evidence for e in epochs])
     if not (evidence > 0).any():
         return dict(seen)
+    explained = (evidence > 0) & np.array([seen[e].states == WHOLE for e in epochs])
+    evidence = np.where(explained, evidence / np.maximum(explained.sum(axis=0), 1), evidence)
     broken = _probability(np.clip(evidence, -MOST_EVIDENCE, MOST_EVIDENCE))
     missing = np.array([seen[e].missing for e in epochs])
     best = np.where(missing > 0, evidence, -np.inf).argmax(axis=0)

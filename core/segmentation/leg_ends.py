@@ -79,7 +79,7 @@ class LegEnds:
     states
         (4,) ``UNSEEN``, ``WHOLE`` or ``BROKEN``.
     missing
-        (4,) length that is missing of broken legs, metres.
+        (4,) length that is missing of broken legs, metres, or would be of legs that something speaks for a break of; 0 of others.
     broken
         (4,) probability that the leg is broken; nan where its end is not seen.
     evidence
@@ -168,7 +168,8 @@ def leg_ends(
         result.broken[k] = broken
         result.evidence[k] = odds - PRIOR_ODDS
         result.states[k] = BROKEN if broken > 0.5 else WHOLE
-        if broken > 0.5:
+        if result.evidence[k] > 0:
+            # other epochs may say that it is broken
             result.missing[k] = unit.leg_length - place
     return result
 
@@ -213,11 +214,11 @@ class LegView:
         if face < LEAST_POINTS or len(np.unique(self.sector[inside])) < LEAST_SECTORS:
             face = 0.0
         disc = float(np.sum(own & (np.abs(self.axial - unit.leg_length) < self.tolerance) & (self.outside < -self.tolerance)))
-        sides, stops = self._sides_to_the_end(on_side, shaft) if sided else (0.0, 0.0)
+        sides = self._sides_to_the_end(on_side, shaft) if sided else 0.0
         if face:
             evidence = INDEPENDENT * (_support(face, density * section) - _support(disc, density * section))
             if sides:
-                evidence = min(evidence, MOST_WITHIN_SIDES) + sides + stops
+                evidence = min(evidence, MOST_WITHIN_SIDES) + sides + self._sides_that_stop(on_side, shaft)
             return PRIOR_ODDS + evidence, float(np.median(self.axial[inside]))
         if not sided:
             return math.nan, 0.0
@@ -228,18 +229,19 @@ class LegView:
             return PRIOR_ODDS - support, 0.0
         return math.nan, 0.0
 
-    def _sides_to_the_end(self, on_side: BoolArray, shaft: FloatArray) -> tuple[float, float]:
-        """Log-likelihood ratios of a break by sides that go on to the end, 0 where none does, and by those that stop short of it.
-
-        A side that stops may lie in the shadow of a neighbour: by itself it proves nothing; one that goes on to the tip and stops there may
-        end where the leg breaks.
-        """
+    def _sides_to_the_end(self, on_side: BoolArray, shaft: FloatArray) -> float:
+        """Log-likelihood ratio of a break by sides that go on to the end, 0 where none does: one that goes on to the tip and stops there
+        may end where the leg breaks."""
         tip, end = (self._side_support(on_side, part, shaft) for part in (TIP, END))
-        stops = -INDEPENDENT * float(np.minimum(end, 0.0).sum())
         if tip.sum() <= 0 or end.sum() <= 0:
-            return 0.0, stops
+            return 0.0
         # an oblique break may leave one side as long
-        return max(-INDEPENDENT * float(tip.sum()), math.log(left_by_breaks(self.unit, tuple(end > 0)))), stops
+        return max(-INDEPENDENT * float(tip.sum()), math.log(left_by_breaks(self.unit, tuple(end > 0))))
+
+    def _sides_that_stop(self, on_side: BoolArray, shaft: FloatArray) -> float:
+        """Log-likelihood ratio of a break by sides that stop short of the end; by themselves they prove nothing, as they may lie in the
+        shadow of a neighbour."""
+        return -INDEPENDENT * float(np.minimum(self._side_support(on_side, END, shaft), 0.0).sum())
 
     def _side_support(self, on_side: BoolArray, part: tuple[float, float], shaft: FloatArray) -> FloatArray:
         """(SECTORS,) log-likelihood ratios of a part of a leg's side being there; 0 in sectors that hide its ``shaft`` (SECTORS,)."""

@@ -61,3 +61,18 @@ def test_the_chain_equals_the_sum_over_all_its_ways() -> None:
 def test_one_epoch_stands_as_it_is() -> None:
     own = ends(9.0, 0.4)
     assert legs_over_epochs({3: own}) == {3: own}
+
+
+def test_what_epochs_that_show_a_leg_whole_say_for_a_break_counts_once() -> None:
+    def taken_for_whole(evidence: float) -> LegEnds:
+        own = ends(evidence, 0.4)
+        return LegEnds(np.full(4, WHOLE), own.missing, 1 / (1 + np.exp(-PRIOR_ODDS - own.evidence)), own.evidence)
+
+    # the same rock in a leg of which sides go on to its end
+    found = legs_over_epochs({0: taken_for_whole(2.3), 1: taken_for_whole(2.3), 2: taken_for_whole(2.3)})
+    assert [int(own.states[1]) for own in found.values()] == [WHOLE] * 3
+    assert float(found[0].broken[1]) == pytest.approx(float(taken_for_whole(2.3).broken[1]), rel=0.05)
+    # beside an epoch that shows a break it counts, and has a length
+    found = legs_over_epochs({0: taken_for_whole(2.3), 1: ends(2.5, 0.3)})
+    assert int(found[0].states[1]) == BROKEN
+    assert float(found[0].missing[1]) in (0.3, 0.4)
