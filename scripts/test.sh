@@ -54,6 +54,8 @@ setup_system
 setup_engine
 
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+# tests start commands by the hundred: where Python is told to keep nothing, each would make the engine's bytecode anew
+unset PYTHONDONTWRITEBYTECODE
 logs="$(mktemp -d)"
 # beside all else: what it installs waits for the network, and its one process leaves a core idle
 test_qgis >"$logs/qgis" 2>&1 &
