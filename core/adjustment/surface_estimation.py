@@ -325,6 +325,8 @@ def _project(covariance: Any, places: Any, variances: Any, asked: Any, found: An
     for leg in range(4):
         start, size = first[leg], first[leg + 1] - first[leg]
         factor, roots = np.empty((size, size)), np.zeros((size, size))
+        # of this leg alone: loops whose places begin at 0 run in vector registers
+        block, line = np.zeros((size, size)), np.empty(size)
         for a in range(size):
             for b in range(a + 1):
                 factor[a, b] = covariance[cells[start + a], cells[start + b]]
@@ -336,11 +338,17 @@ def _project(covariance: Any, places: Any, variances: Any, asked: Any, found: An
         for k in range(size):
             for a in range(k + 1):
                 for b in range(k + 1):
-                    inverse[start + a, start + b] += roots[k, a] * roots[k, b]
+                    block[a, b] += roots[k, a] * roots[k, b]
+        for a in range(size):
+            for b in range(size):
+                inverse[start + a, start + b] = block[a, b]
         for q in range(count):
+            line[:] = 0.0
             for a in range(size):
                 for b in range(size):
-                    told[q, start + b] += unknowns[q, start + a] * inverse[start + a, start + b]
+                    line[b] += unknowns[q, start + a] * block[a, b]
+            for b in range(size):
+                told[q, start + b] = line[b]
     system = np.zeros((count, count))
     for q in range(count):
         for r in range(q + 1):

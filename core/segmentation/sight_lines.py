@@ -318,9 +318,14 @@ def _open(points: Any, patches: Any, normals: Any, towards: Any, across: Any, up
     asked = min(asked + pixel, half)
     result = np.zeros((len(patches), len(towards)), dtype=np.bool_)
     middles, radii = _groups(points)
-    by_axis = points.T.copy()
-    right, up, near = np.empty(GROUP), np.empty(GROUP), np.empty(GROUP)
-    beside, depth = np.empty(len(radii)), np.empty((size, size))
+    # a group's own block: numba asks of the sum of two indices whether it is negative, at every point
+    blocks = np.zeros((len(radii), 3, GROUP))
+    for i in range(len(points)):
+        for a in range(3):
+            blocks[i // GROUP, a, i % GROUP] = points[i, a]
+    cell, near = np.empty(GROUP, dtype=np.int32), np.empty(GROUP)
+    # what falls beside the map goes to one place more
+    beside, depth = np.empty(len(radii)), np.empty(size * size + 1)
     for d in range(len(towards)):
         depth[:] = -np.inf
         # without branches, in vector registers: groups, and then the points of those that are near
@@ -331,23 +336,20 @@ def _open(points: Any, patches: Any, normals: Any, towards: Any, across: Any, up
         for k in range(len(radii)):
             if beside[k] > asked:
                 continue
-            first, count = k * GROUP, min(GROUP, len(points) - k * GROUP)
-            for i in range(count):
-                x, y, z = by_axis[0, first + i], by_axis[1, first + i], by_axis[2, first + i]
-                right[i] = x * across[d, 0] + y * across[d, 1] + z * across[d, 2] + half
-                up[i] = x * upwards[d, 0] + y * upwards[d, 1] + z * upwards[d, 2] + half
+            for i in range(GROUP):
+                x, y, z = blocks[k, 0, i], blocks[k, 1, i], blocks[k, 2, i]
+                right = (x * across[d, 0] + y * across[d, 1] + z * across[d, 2] + half) / pixel
+                up = (x * upwards[d, 0] + y * upwards[d, 1] + z * upwards[d, 2] + half) / pixel
+                within = (right >= 0.0) & (up >= 0.0) & (right < size) & (up < size)
+                cell[i] = np.int32(right) * np.int32(size) + np.int32(up) if within else size * size
                 near[i] = x * towards[d, 0] + y * towards[d, 1] + z * towards[d, 2]
-            for i in range(count):
-                if right[i] < 0 or up[i] < 0:
-                    continue
-                a, b = int(right[i] / pixel), int(up[i] / pixel)
-                if a < size and b < size:
-                    depth[a, b] = max(depth[a, b], near[i])
+            for i in range(min(GROUP, len(points) - k * GROUP)):
+                depth[cell[i]] = max(depth[cell[i]], near[i])
         for i in range(len(patches)):
             if normals[i, 0] * towards[d, 0] + normals[i, 1] * towards[d, 1] + normals[i, 2] * towards[d, 2] < facing:
                 continue
             a = int((patches[i, 0] * across[d, 0] + patches[i, 1] * across[d, 1] + patches[i, 2] * across[d, 2] + half) / pixel)
             b = int((patches[i, 0] * upwards[d, 0] + patches[i, 1] * upwards[d, 1] + patches[i, 2] * upwards[d, 2] + half) / pixel)
             z = patches[i, 0] * towards[d, 0] + patches[i, 1] * towards[d, 1] + patches[i, 2] * towards[d, 2]
-            result[i, d] = depth[a, b] > -np.inf and depth[a, b] < z + margin
+            result[i, d] = -np.inf < depth[a * size + b] < z + margin
     return result
