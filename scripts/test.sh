@@ -54,7 +54,7 @@ setup_system
 setup_engine
 
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
-# tests start commands by the hundred: where Python is told to keep nothing, each would make the engine's bytecode anew
+# many tests start commands: where Python is told to keep nothing, each would make the engine's bytecode anew
 unset PYTHONDONTWRITEBYTECODE
 logs="$(mktemp -d)"
 # beside all else: what it installs waits for the network, and its one process leaves a core idle
